@@ -1,0 +1,42 @@
+# warpgrain_library(NAME [LINK target...]): a static library of every .cpp below the current folder.
+# Sources are found, not listed, so that a new file needs no second place to be named in.
+
+add_library(warpgrain_options INTERFACE)
+target_compile_options(warpgrain_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wcast-align -Werror
+  # The reference must give the same bits whatever the compiler's taste for fused multiply-add.
+  -ffp-contract=off)
+if(WARPGRAIN_SANITIZE)
+  target_compile_options(warpgrain_options INTERFACE -fsanitize=${WARPGRAIN_SANITIZE} -fno-omit-frame-pointer
+    -fno-sanitize-recover=all)
+  target_link_options(warpgrain_options INTERFACE -fsanitize=${WARPGRAIN_SANITIZE})
+endif()
+
+function(warpgrain_library name)
+  cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
+  if(sources)
+    add_library(${name} STATIC ${sources})
+    set(scope PUBLIC)
+    target_link_libraries(${name} PRIVATE warpgrain_options)
+  else()
+    add_library(${name} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  target_include_directories(${name} ${scope} "${PROJECT_SOURCE_DIR}")
+  target_link_libraries(${name} ${scope} ${ARG_LINK})
+endfunction()
+
+# warpgrain_test(FOLDER [LINK target...]): one test program of tests/FOLDER/*.cpp, its cases known to CTest.
+function(warpgrain_test folder)
+  cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp")
+  if(NOT sources)
+    return()
+  endif()
+  add_executable(test_${folder} ${sources})
+  target_link_libraries(test_${folder} PRIVATE warpgrain_options GTest::gtest_main GTest::gmock ${ARG_LINK})
+  target_compile_definitions(test_${folder} PRIVATE WARPGRAIN_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+    WARPGRAIN_TEST_DATA_DIR="${CMAKE_CURRENT_SOURCE_DIR}/${folder}/data")
+  gtest_discover_tests(test_${folder} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
+endfunction()

@@ -1,0 +1,83 @@
+#pragma once
+// The counters of a profiled launch: plain numbers, in the names of the report "warpgrain.report/1".
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "profiler/kernel_graph.hpp"
+#include "profiler/launch.hpp"
+
+namespace warpgrain::profiler {
+
+// Of one kind of memory access, summed over warps.
+struct MemoryCounters {
+  std::uint64_t requests = 0;        // warp-level requests
+  std::uint64_t sectors = 0;         // 32-byte sectors touched
+  std::uint64_t lines = 0;           // 128-byte lines touched
+  std::uint64_t useful_bytes = 0;    // bytes that lanes asked for
+};
+
+struct InstructionCount {
+  std::uint64_t warp = 0;    // issued, one a warp
+  std::uint64_t thread = 0;  // the same, counted per active lane
+};
+
+struct Totals {
+  std::uint64_t warp_instructions = 0;
+  std::uint64_t thread_instructions = 0;
+  std::vector<std::uint64_t> lane_histogram;  // [warp_width + 1]: warp instructions by number of active lanes
+  std::uint64_t branches = 0;                 // conditional branches, counted per warp
+  std::uint64_t divergent_branches = 0;       // those whose lanes disagreed
+  std::uint64_t sfu_instructions = 0;         // warp instructions on the special-function unit
+  std::array<InstructionCount, n_instruction_classes> instruction_mix{};
+  MemoryCounters global_load, global_store, shared_load, shared_store, atomic;
+
+  double active_lanes() const;                              // thread_instructions / warp_instructions; 0 when none
+  double simt_efficiency(std::uint32_t warp_width) const;   // active_lanes / warp_width
+  void add(const Totals& other);                            // element by element
+};
+
+struct LineTotals {
+  std::string file;
+  std::uint32_t line = 0;
+  Totals totals;
+};
+
+struct BlockTotals {
+  std::uint32_t block = 0;  // index into KernelGraph::blocks
+  std::string label;
+  std::uint64_t executions = 0;
+  std::vector<std::uint64_t> lane_histogram;  // executions by number of active lanes, [warp_width + 1]
+};
+
+// A conditional branch of the PTX.
+struct BranchTotals {
+  std::string file;
+  std::uint32_t line = 0;
+  std::string label;               // `// branch: NAME` at the end of the source line, else the line's text
+  std::uint32_t block = 0;
+  std::uint64_t executions = 0;    // per warp
+  std::uint64_t divergent = 0;     // of these, lanes disagreed
+  std::uint64_t lanes = 0;         // lanes that executed it
+  std::uint64_t taken_lanes = 0;   // of these, took the first successor
+  // Lane slots (a lane of an issued warp instruction) in which a lane idled because this branch had parted it from the
+  // lanes that ran. The sum over branches plus `lane_slots_never_used` is width * warp_instructions - thread_instructions.
+  std::uint64_t lane_slots_lost = 0;
+};
+
+struct LaunchCounters {
+  std::string kernel;
+  LaunchShape shape;
+  std::uint32_t warp_width = 32;
+  std::string policy;
+  std::uint64_t warps = 0;
+  Totals totals;
+  std::vector<LineTotals> lines;        // sorted by file, line
+  std::vector<BlockTotals> blocks;      // every block, in order
+  std::vector<BranchTotals> branches;   // by lane_slots_lost, largest first
+  std::uint64_t lane_slots_never_used = 0;  // warps that are not full from the start
+};
+
+}  // namespace warpgrain::profiler

@@ -1,0 +1,46 @@
+#pragma once
+// A kernel launch: its index space and its arguments.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace warpgrain::profiler {
+
+struct LaunchShape {
+  std::array<std::uint64_t, 3> global_size{1, 1, 1};    // work-items
+  std::array<std::uint32_t, 3> local_size{1, 1, 1};     // divides global_size
+  std::array<std::uint64_t, 3> group_count() const {
+    return {global_size[0] / local_size[0], global_size[1] / local_size[1], global_size[2] / local_size[2]};
+  }
+  std::uint32_t work_group_size() const { return local_size[0] * local_size[1] * local_size[2]; }
+};
+
+struct KernelArgument {
+  enum class Kind : std::uint8_t {
+    buffer,  // `memory` is the buffer, 256-byte aligned; the kernel gets its address (null when empty)
+    scalar,  // `value` holds the bytes, a struct by value included
+    local    // `local_bytes` of shared memory for each work-group; the kernel gets their place
+  };
+  Kind kind = Kind::scalar;
+  std::span<std::byte> memory;
+  std::vector<std::byte> value;
+  std::uint32_t local_bytes = 0;
+
+  static KernelArgument buffer(std::span<std::byte> memory);
+  static KernelArgument scalar(std::span<const std::byte> value);
+  static KernelArgument local(std::uint32_t bytes);
+};
+
+// A parameter as the kernel's PTX signature declares it.
+struct KernelParameter {
+  std::string name;
+  std::uint32_t bytes = 0;
+  std::uint32_t alignment = 1;
+  enum class Pointer : std::uint8_t { none, global, shared, constant } pointer = Pointer::none;
+};
+
+}  // namespace warpgrain::profiler

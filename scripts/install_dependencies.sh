@@ -1,0 +1,23 @@
+#!/usr/bin/env bash
+# Installs what is missing to build, test and run warpgrain on Debian 12. Asks apt only when something is missing.
+set -euo pipefail
+
+packages=(
+  g++ cmake ninja-build git ccache
+  llvm-15-dev clang-15 libclc-15 libclc-15-dev
+  libboost-context-dev libeigen3-dev nlohmann-json3-dev libcli11-dev libfmt-dev
+  ocl-icd-opencl-dev opencl-c-headers opencl-clhpp-headers pocl-opencl-icd
+  libgtest-dev libgmock-dev libbenchmark-dev
+  python3-jsonschema
+)
+missing=()
+for package in "${packages[@]}"; do
+  [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || missing+=("$package")
+done
+[ ${#missing[@]} -eq 0 ] && exit 0
+
+as_root=()
+[ "$(id -u)" -eq 0 ] || as_root=(sudo)
+echo "installing: ${missing[*]}" >&2
+"${as_root[@]}" apt-get update -qq
+DEBIAN_FRONTEND=noninteractive "${as_root[@]}" apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
