@@ -1,0 +1,10 @@
+#!/usr/bin/env bash
+# Builds what is needed and runs all tests. `scripts/test.sh PRESET` for another preset (debug, asan-ubsan, tsan).
+set -euo pipefail
+cd "$(dirname "$0")/.."
+preset="${1:-release}"
+
+scripts/install_dependencies.sh
+cmake --preset "$preset"
+cmake --build --preset "$preset" --parallel "$(nproc)"
+ctest --preset "$preset" --parallel "$(nproc)"
