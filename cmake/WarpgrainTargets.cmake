@@ -27,6 +27,22 @@ function(warpgrain_library name)
   target_link_libraries(${name} ${scope} ${ARG_LINK})
 endfunction()
 
+# warpgrain_embed(TARGET HEADER H NAMESPACE N TYPE T FUNCTION F FILES file...): adds a generated source to the target that
+# defines `std::span<const T> F()`, declared by H in N: a row {path, text} a file, paths relative to the current folder.
+# So an installed warpgrain needs no source tree.
+function(warpgrain_embed target)
+  cmake_parse_arguments(ARG "" "HEADER;NAMESPACE;TYPE;FUNCTION" "FILES" ${ARGN})
+  set(script "${PROJECT_SOURCE_DIR}/cmake/EmbedFiles.cmake")
+  set(out "${CMAKE_CURRENT_BINARY_DIR}/${ARG_FUNCTION}.cpp")
+  list(TRANSFORM ARG_FILES PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/" OUTPUT_VARIABLE paths)
+  add_custom_command(OUTPUT "${out}"
+    COMMAND "${CMAKE_COMMAND}" "-DROOT=${CMAKE_CURRENT_SOURCE_DIR}" "-DFILES=${ARG_FILES}" "-DOUT=${out}"
+      "-DHEADER=${ARG_HEADER}" "-DNAMESPACE=${ARG_NAMESPACE}" "-DTYPE=${ARG_TYPE}" "-DFUNCTION=${ARG_FUNCTION}"
+      -P "${script}"
+    DEPENDS ${paths} "${script}" VERBATIM)
+  target_sources(${target} PRIVATE "${out}")
+endfunction()
+
 # warpgrain_test(FOLDER [LINK target...]): one test program of tests/FOLDER/*.cpp, its cases known to CTest.
 function(warpgrain_test folder)
   cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
