@@ -1,0 +1,54 @@
+#include "reports/report.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <utility>
+
+#include "reports/number_text.hpp"
+
+namespace warpgrain::reports {
+
+std::vector<std::string> simulator_limits() {
+  return {
+      "Instructions are those of the PTX. A GPU runs SASS, which ptxas makes of it: against an H100, PTX "
+      "counts of "
+      "warp instructions were 14 to 25 % low and SIMT efficiency lay between 1 % below and 13 % above.",
+      "The lanes of a warp run one after another, so kernels in which lanes of a warp wait for each other "
+      "(spin locks) "
+      "are not carried.",
+      "Caches are not modelled: sectors are those that warps ask for, not those that reach memory.",
+      "Lanes that part come together at the join that the compiler is expected to mark. The scheduling of "
+      "Volta and "
+      "later at joins without such a mark is not modelled.",
+  };
+}
+
+Report make_report(std::span<const profiler::LaunchProfile> launches, std::string command_line) {
+  Report report;
+  report.generator = this_generator();
+  report.command_line = std::move(command_line);
+  report.limits = simulator_limits();
+  for (const profiler::LaunchProfile& launch : launches)
+    report.launches.push_back({launch.counters,
+                               {.name = launch.source_name,
+                                .text = launch.source,
+                                .hash = text_hash(launch.source),
+                                .compiler = launch.compiler,
+                                .command = launch.compile_command}});
+  return report;
+}
+
+std::string title_of(const Report& report) {
+  std::vector<std::string> parts;
+  if (report.scene) parts.push_back(*report.scene);
+  if (report.variant) parts.push_back(*report.variant);
+  if (report.particles) parts.push_back(count_text(*report.particles) + " particles");
+  if (report.step) parts.push_back("step " + count_text(*report.step));
+  if (parts.empty())
+    for (const LaunchReport& launch : report.launches)
+      if (std::find(parts.begin(), parts.end(), launch.counters.kernel) == parts.end())
+        parts.push_back(launch.counters.kernel);
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+}  // namespace warpgrain::reports

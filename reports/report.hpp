@@ -1,0 +1,51 @@
+#pragma once
+// A SIMT divergence report, format "warpgrain.report/1": what the simulator counted for one or more kernel
+// launches, and everything needed to count it again. docs/report-format.md explains every key;
+// docs/schemas/report-1.schema.json is its JSON Schema. A report holds no timings and no dates, so that the
+// same input gives the same bytes.
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "profiler/profile.hpp"
+#include "reports/generator.hpp"
+#include "reports/source_text.hpp"
+
+namespace warpgrain::reports {
+
+inline constexpr std::string_view report_format = "warpgrain.report/1";
+
+struct LaunchReport {
+  profiler::LaunchCounters counters;
+  SourceText source;
+};
+
+struct Report {
+  Generator generator;
+  std::string command_line;            // as it was called
+  std::optional<std::string> scene;    // name; none for a launch file
+  std::optional<std::string> variant;  // branchy/cells/cell/fp32/default
+  std::optional<std::uint64_t> particles;
+  std::optional<std::uint64_t> step;   // the time step that was profiled, 0 = the first
+  std::optional<std::string> machine;  // the machine model, where one was asked for
+  std::string weights = "ptx";         // what an instruction is: PTX as compiled
+  std::vector<std::string> limits;     // what the counts do not say, in sentences
+  std::vector<LaunchReport> launches;  // in the order of launching
+};
+
+// What the simulator does not model, stated in every report.
+std::vector<std::string> simulator_limits();
+
+// A report of this program with generator, limits and launches filled in; the caller adds what it knows of
+// the rest.
+Report make_report(std::span<const profiler::LaunchProfile> launches, std::string command_line);
+
+// One line that says what was profiled: "slit, branchy/cells/cell/fp32/default, 16,384 particles, step
+// 4,000"; for a report without a scene, its kernels.
+std::string title_of(const Report& report);
+
+}  // namespace warpgrain::reports

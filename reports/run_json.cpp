@@ -1,0 +1,87 @@
+#include <nlohmann/json.hpp>
+
+#include "reports/json_place.hpp"
+#include "reports/json_text.hpp"
+#include "reports/provenance_json.hpp"
+#include "reports/run_report.hpp"
+
+namespace warpgrain::reports {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const RunReport::Kernel& kernel) {
+  return {{"name", kernel.name}, {"calls", kernel.calls}, {"seconds", kernel.seconds}};
+}
+
+RunReport::Kernel kernel_from(const JsonPlace& place) {
+  return {place["name"].text(), place["calls"].count(), place["seconds"].number()};
+}
+
+Json to_json(const RunReport::Energy& energy) {
+  return {{"step", energy.step},
+          {"time", energy.time},
+          {"translational", energy.translational},
+          {"rotational", energy.rotational},
+          {"gravitational", energy.gravitational},
+          {"elastic", energy.elastic},
+          {"total", energy.total()}};
+}
+
+RunReport::Energy energy_from(const JsonPlace& place) {
+  return {.step = place["step"].count(),
+          .time = place["time"].number(),
+          .translational = place["translational"].number(),
+          .rotational = place["rotational"].number(),
+          .gravitational = place["gravitational"].number(),
+          .elastic = place["elastic"].number()};
+}
+
+}  // namespace
+
+double RunReport::particle_steps_per_second() const {
+  return steps == 0 ? 0 : static_cast<double>(particles) * static_cast<double>(steps) / wall_seconds;
+}
+
+std::string run_json(const RunReport& run) {
+  Json json = document_head(run_format, run.generator, run.command_line);
+  json["scene"] = run.scene;
+  json["variant"] = run.variant;
+  json["backend"] = run.backend;
+  json["device"] = run.device;
+  json["particles"] = run.particles;
+  json["steps"] = run.steps;
+  json["time_step"] = run.time_step;
+  json["at_rest"] = run.at_rest;
+  json["wall_seconds"] = run.wall_seconds;
+  json["particle_steps_per_second"] = run.particle_steps_per_second();
+  json["contacts"] = run.contacts;
+  json["kernels"] = Json::array();
+  for (const RunReport::Kernel& kernel : run.kernels) json["kernels"].push_back(to_json(kernel));
+  json["energy"] = Json::array();
+  for (const RunReport::Energy& energy : run.energy) json["energy"].push_back(to_json(energy));
+  return json_text(json, "run");
+}
+
+RunReport read_run(const std::filesystem::path& file) {
+  const Json document = read_json(file);
+  const JsonPlace root = document_of_format(document, file.string(), run_format);
+  RunReport run;
+  run.generator = generator_from(root);
+  run.command_line = root["command_line"].text();
+  run.scene = root["scene"].text();
+  run.variant = root["variant"].text();
+  run.backend = root["backend"].text();
+  run.device = root["device"].text();
+  run.particles = root["particles"].count();
+  run.steps = root["steps"].count();
+  run.time_step = root["time_step"].number();
+  run.at_rest = root["at_rest"].flag();
+  run.wall_seconds = root["wall_seconds"].number();
+  run.contacts = root["contacts"].count();
+  for (const JsonPlace& kernel : root["kernels"].elements()) run.kernels.push_back(kernel_from(kernel));
+  for (const JsonPlace& energy : root["energy"].elements()) run.energy.push_back(energy_from(energy));
+  return run;
+}
+
+}  // namespace warpgrain::reports

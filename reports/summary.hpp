@@ -1,0 +1,48 @@
+#pragma once
+// What a reader of a report asks first: its headline numbers, and its launches taken together kernel by
+// kernel (a bitonic sort alone is a hundred launches of two kernels).
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reports/report.hpp"
+
+namespace warpgrain::reports {
+
+// Counters of launches taken together; the names are the metrics of reports/metrics.hpp.
+struct Headline {
+  std::uint64_t warp_instructions = 0;
+  std::uint64_t thread_instructions = 0;
+  double active_lanes = 0;
+  double simt_efficiency = 0;
+  std::uint64_t branches = 0;
+  std::uint64_t divergent_branches = 0;
+  std::uint64_t sfu_instructions = 0;
+  std::optional<double> sectors_per_load;  // none when there was no global load
+};
+
+Headline headline_of(const profiler::LaunchCounters& counters);
+
+// All launches of one kernel: the same name, source, warp width and policy.
+struct KernelSummary {
+  std::size_t launches = 0;
+  profiler::LaunchCounters counters;   // summed; `shape` is the first launch's
+  const SourceText* source = nullptr;  // in the report
+
+  // Lane slots in which a lane idled: warp_width * warp_instructions - thread_instructions.
+  std::uint64_t lane_slots_lost() const;
+};
+
+// Largest number of warp instructions first. The summaries point into the report, which must outlive them.
+std::vector<KernelSummary> kernels_of(const Report& report);
+
+// Of all launches together.
+Headline headline_of(const std::vector<KernelSummary>& kernels);
+
+// Sectors a request of one kind of access touched on average; none without requests.
+std::optional<double> sectors_per_request(const profiler::MemoryCounters& access);
+
+}  // namespace warpgrain::reports

@@ -1,0 +1,30 @@
+#pragma once
+// The columns of a sweep's table, the same on a terminal and on a page.
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "reports/sweep_index.hpp"
+
+namespace warpgrain::reports {
+
+struct SweepColumn {
+  std::string_view heading;
+  std::string_view explanation;
+  // The value to print, "-" where the case has none, and the number to sort by, where there is one.
+  std::string (*text)(const SweepCase&);
+  std::optional<double> (*value)(const SweepCase&);
+};
+
+// All but the first column, which is the variant's name.
+std::span<const SweepColumn> sweep_columns();
+
+// "opencl: <device>" for each back end and device that occurs, in order of first occurrence.
+std::vector<std::string> devices_of(const SweepIndex& index);
+
+// Cases that are not done: "<variant>: <status>: <message>".
+std::vector<std::string> troubles_of(const SweepIndex& index);
+
+}  // namespace warpgrain::reports

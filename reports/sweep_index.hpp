@@ -1,0 +1,73 @@
+#pragma once
+// The index of a sweep, format "warpgrain.sweep/1": one row a case, with its headline numbers and where its
+// report lies. docs/schemas/sweep-1.schema.json is its JSON Schema.
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "reports/generator.hpp"
+#include "reports/summary.hpp"
+
+namespace warpgrain::reports {
+
+inline constexpr std::string_view sweep_format = "warpgrain.sweep/1";
+
+enum class CaseStatus : std::uint8_t {
+  done,    // everything that was asked for is there
+  failed,  // `message` says why; what was read before stands
+  skipped  // not run: the combination makes no sense or needs what is not installed; `message` says what
+};
+std::string_view case_status_name(CaseStatus status);
+
+// Errors of one force evaluation against the double reference, relative as analysis/force_error.hpp has it.
+struct ForceErrorReading {
+  double maximum = 0;
+  double root_mean_square = 0;
+};
+
+// What one back end gave for a case.
+struct BackendReading {
+  std::string backend;                     // host, opencl, cuda, simt
+  std::string device;                      // as it calls itself
+  std::uint64_t steps = 0;                 // timed
+  std::optional<double> seconds_per_step;  // median; none where the clock says nothing of a device (simt)
+  std::optional<ForceErrorReading> force_error;
+};
+
+struct SweepCase {
+  std::string variant;
+  std::vector<std::pair<std::string, std::string>> axes;  // axis -> value, in the order of the variant's name
+  CaseStatus status = CaseStatus::done;
+  std::string message;                     // empty when done
+  std::optional<std::string> report_file;  // "warpgrain.report/1", relative to the index
+  std::optional<Headline> headline;        // of every launch of the report together
+  std::vector<BackendReading> backends;
+};
+
+struct SweepIndex {
+  Generator generator;
+  std::string command_line;
+  std::string scene;
+  std::uint64_t particles = 0;
+  std::uint64_t step = 0;  // the time step that was profiled
+  std::vector<SweepCase> cases;
+};
+
+// The reading of that back end; null when the case has none.
+const BackendReading* reading_of(const SweepCase& sweep_case, std::string_view backend);
+
+// "slit, 16,384 particles, step 4,000: 4 variants"
+std::string title_of(const SweepIndex& index);
+
+// Throws InputError naming a number that is not finite.
+std::string sweep_json(const SweepIndex& index);
+
+// Throws InputError naming the file and the place of what is missing, wrong or of another format or version.
+SweepIndex read_sweep(const std::filesystem::path& file);
+
+}  // namespace warpgrain::reports

@@ -1,0 +1,95 @@
+#include "reports/text_report.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <vector>
+
+#include "reports/number_text.hpp"
+#include "reports/summary.hpp"
+#include "reports/text_table.hpp"
+
+namespace warpgrain::reports {
+namespace {
+
+std::vector<std::string> row_of(const std::string& name, std::size_t launches, const Headline& headline) {
+  return {
+      name,
+      count_text(launches),
+      fixed_text(headline.simt_efficiency, 3),
+      fixed_text(headline.active_lanes, 1),
+      count_text(headline.warp_instructions),
+      percent_text(static_cast<double>(headline.divergent_branches), static_cast<double>(headline.branches)),
+      count_text(headline.sfu_instructions),
+      headline.sectors_per_load ? fixed_text(*headline.sectors_per_load, 2) : "-"};
+}
+
+std::string kernel_table(const Report& report, const std::vector<KernelSummary>& kernels) {
+  using enum TextTable::Align;
+  TextTable table({{"kernel", left},
+                   {"launches", right},
+                   {"SIMT efficiency", right},
+                   {"active lanes", right},
+                   {"warp instructions", right},
+                   {"divergent branches", right},
+                   {"SFU instructions", right},
+                   {"sectors per load", right}});
+  for (const KernelSummary& kernel : kernels)
+    table.add_row(row_of(kernel.counters.kernel, kernel.launches, headline_of(kernel.counters)));
+  if (kernels.size() > 1) table.add_row(row_of("all", report.launches.size(), headline_of(kernels)));
+  return table.text();
+}
+
+std::string branch_list(const KernelSummary& kernel, std::size_t how_many) {
+  const auto lost = static_cast<double>(kernel.lane_slots_lost());
+  std::string text;
+  for (const profiler::BranchTotals& branch : kernel.counters.branches) {
+    if (how_many-- == 0 || branch.lane_slots_lost == 0) break;
+    text += fmt::format(
+        "  {:>7}  {}  ({}:{})  lanes disagreed in {} of {} executions\n",
+        percent_text(static_cast<double>(branch.lane_slots_lost), lost), branch.label, branch.file,
+        branch.line,
+        percent_text(static_cast<double>(branch.divergent), static_cast<double>(branch.executions)),
+        count_text(branch.executions));
+  }
+  if (kernel.counters.lane_slots_never_used > 0)
+    text += fmt::format("  {:>7}  warps that are not full from the start\n",
+                        percent_text(static_cast<double>(kernel.counters.lane_slots_never_used), lost));
+  return text;
+}
+
+std::string line_list(const KernelSummary& kernel, std::size_t how_many) {
+  std::vector<const profiler::LineTotals*> hottest;
+  for (const profiler::LineTotals& line : kernel.counters.lines) hottest.push_back(&line);
+  std::stable_sort(hottest.begin(), hottest.end(), [](const auto* a, const auto* b) {
+    return a->totals.warp_instructions > b->totals.warp_instructions;
+  });
+  const SourceIndex source(*kernel.source);
+  std::string text;
+  for (const profiler::LineTotals* line : hottest) {
+    if (how_many-- == 0) break;
+    text += fmt::format("  {:>7}  {:>4} lanes  {}:{}  {}\n",
+                        percent_text(static_cast<double>(line->totals.warp_instructions),
+                                     static_cast<double>(kernel.counters.totals.warp_instructions)),
+                        fixed_text(line->totals.active_lanes(), 1), line->file, line->line,
+                        source.text_of(line->file, line->line));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string text_report(const Report& report, const TextReportOptions& options) {
+  const std::vector<KernelSummary> kernels = kernels_of(report);
+  std::string text = title_of(report) + "\n\n" + kernel_table(report, kernels);
+  for (std::size_t k = 0; k < std::min(kernels.size(), options.kernels); ++k) {
+    const KernelSummary& kernel = kernels[k];
+    if (const std::string branches = branch_list(kernel, options.branches); !branches.empty())
+      text += fmt::format("\n{}: where lanes idled, of {} lost lane slots\n{}", kernel.counters.kernel,
+                          count_text(kernel.lane_slots_lost()), branches);
+    if (const std::string lines = line_list(kernel, options.lines); !lines.empty())
+      text += fmt::format("\n{}: lines with the most warp instructions\n{}", kernel.counters.kernel, lines);
+  }
+  return text;
+}
+
+}  // namespace warpgrain::reports

@@ -1,0 +1,25 @@
+#include "reports/text_sweep.hpp"
+
+#include <fmt/format.h>
+
+#include "reports/sweep_columns.hpp"
+#include "reports/text_table.hpp"
+
+namespace warpgrain::reports {
+
+std::string text_sweep(const SweepIndex& index) {
+  std::vector<TextTable::Column> columns{{"variant", TextTable::Align::left}};
+  for (const SweepColumn& column : sweep_columns()) columns.push_back({std::string(column.heading)});
+  TextTable table(columns);
+  for (const SweepCase& sweep_case : index.cases) {
+    std::vector<std::string> row{sweep_case.variant};
+    for (const SweepColumn& column : sweep_columns()) row.push_back(column.text(sweep_case));
+    table.add_row(row);
+  }
+  std::string text = fmt::format("{}\n\n{}", title_of(index), table.text());
+  for (const std::string& line : devices_of(index)) text += "\n" + line;
+  for (const std::string& line : troubles_of(index)) text += "\n" + line;
+  return text.ends_with('\n') ? text : text + "\n";
+}
+
+}  // namespace warpgrain::reports
