@@ -4,10 +4,22 @@
 
 namespace warpgrain {
 
-void throw_input_error(std::string_view where, std::string_view what, std::string_view expected) {
+namespace {
+
+std::string one_line(std::string_view where, std::string_view what, std::string_view expected) {
   std::string message = fmt::format("{}: {}", where, what);
   if (!expected.empty()) message += fmt::format("; expected {}", expected);
-  throw InputError(message);
+  return message;
+}
+
+}  // namespace
+
+void throw_input_error(std::string_view where, std::string_view what, std::string_view expected) {
+  throw InputError(one_line(where, what, expected));
+}
+
+void throw_simulation_error(std::string_view where, std::string_view what, std::string_view expected) {
+  throw SimulationError(one_line(where, what, expected));
 }
 
 void throw_unknown_name(std::string_view where, std::string_view kind, std::string_view name,

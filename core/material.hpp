@@ -1,5 +1,6 @@
 #pragma once
-// Materials, and what follows from a pair of them for a contact (physics: eqs. 8-10 and the closed forms below).
+// Materials, and what follows from a pair of them for a contact (physics: eqs. 8-10 and the closed forms
+// below).
 
 #include <cstddef>
 #include <string>
@@ -26,8 +27,8 @@ struct ContactParameters {
 double effective_youngs_modulus(const Material& i, const Material& j);
 // 1/G* = 2(2-nu_i)(1+nu_i)/E_i + 2(2-nu_j)(1+nu_j)/E_j  [Pa]
 double effective_shear_modulus(const Material& i, const Material& j);
-// alpha = -sqrt(5) ln e / sqrt(pi^2 + ln^2 e): restitution e independent of speed for this law (Antypov & Elliott's
-// closed form of Tsuji's damping). Takes 0 < e <= 1.
+// alpha = -sqrt(5) ln e / sqrt(pi^2 + ln^2 e): restitution e independent of speed for this law (Antypov &
+// Elliott's closed form of Tsuji's damping). Takes 0 < e <= 1.
 double damping_parameter_of_restitution(double restitution);
 
 // Parameters by pair of material indices, symmetric.

@@ -9,14 +9,15 @@ namespace warpgrain {
 enum class ContactModel { simple, practical };
 // What happens to delta_t when eq. (5) cuts the tangential force to F_cut.
 enum class SlipHistory {
-  clip,       // delta_t := -F_cut / k_t; converges as dt -> 0 (default)
-  paper,      // to the letter: the force is cut, delta_t goes on adding up
-  lammps,     // delta_t := -(F_cut + eta v_t) / k_t
-  liggghts    // eq. (5) tests the spring part alone, no tangential damping while slipping, delta_t := -F_cut / k_t
+  clip,     // delta_t := -F_cut / k_t; converges as dt -> 0 (default)
+  paper,    // to the letter: the force is cut, delta_t goes on adding up
+  lammps,   // delta_t := -(F_cut + eta v_t) / k_t
+  liggghts  // eq. (5) tests the spring part alone, no tangential damping while slipping, delta_t := -F_cut /
+            // k_t
 };
 enum class NormalForce {
-  signed_,    // the paper: damping may pull shortly before separation (default)
-  repulsive   // F_n is never allowed to pull
+  signed_,   // the paper: damping may pull shortly before separation (default)
+  repulsive  // F_n is never allowed to pull
 };
 
 // Coefficients of eq. (1), constant over the scene.

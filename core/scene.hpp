@@ -40,10 +40,10 @@ struct Scene {
   ContactTable contacts;
   ParticleState particles;
   std::vector<Wall> walls;
-  // The box of the collision grid; a particle whose centre leaves it is an error that names it. From the file's
-  // "domain", else derived from particles and walls.
+  // The box of the collision grid; a particle whose centre leaves it is an error that names it. From the
+  // file's "domain", else derived from particles and walls.
   Box domain;
-  double time_step = 0;           // s, as given or as chosen by "auto"
+  double time_step = 0;  // s, as given or as chosen by "auto"
   bool time_step_is_auto = false;
   RunEnd end;
 };
@@ -54,11 +54,12 @@ struct SceneOverrides {
   std::optional<std::uint64_t> seed;
 };
 
-// Reads a scene file, or the named scene of that name. Throws InputError naming file and field. A file larger than
-// `scene_size_limit` is refused.
+// Reads a scene file, or the named scene of that name. Throws InputError naming file and field. A file larger
+// than `scene_size_limit` is refused.
 Scene load_scene(std::string_view file_or_name, const SceneOverrides& overrides = {});
 // The same from text; `where` stands for the file in messages and is the base of relative paths in it.
-Scene parse_scene(std::string_view json_text, const std::filesystem::path& where, const SceneOverrides& overrides = {});
+Scene parse_scene(std::string_view json_text, const std::filesystem::path& where,
+                  const SceneOverrides& overrides = {});
 
 // Names and one-line summaries of the scenes that ship, sorted.
 struct SceneSummary {

@@ -1,7 +1,9 @@
 #pragma once
-// Three-vectors of the reference. Eigen's fixed-size vectors are exactly three scalars, so arrays of them are packed.
+// Three-vectors of the reference. Eigen's fixed-size vectors are exactly three scalars, so arrays of them are
+// packed.
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>  // cross products
 
 namespace warpgrain {
 

@@ -1,9 +1,8 @@
-#include "core/error.hpp"
-
-#include <gtest/gtest.h>
-
 #include <array>
+#include <gtest/gtest.h>
 #include <string>
+
+#include "core/error.hpp"
 
 namespace warpgrain {
 namespace {
