@@ -1,6 +1,8 @@
 #pragma once
-// What can be varied. One table an axis; a variant is a value on every axis, and its name is the values joined with
-// '/': branchy/cells/cell/fp32/default. Everything that lists, sweeps, tests or reports variants iterates these tables.
+// What can be varied. One table an axis; a variant is a value on every axis, and its name is the values
+// joined with
+// '/': branchy/cells/cell/fp32/default. Everything that lists, sweeps, tests or reports variants iterates
+// these tables.
 
 #include <array>
 #include <cstddef>
@@ -17,7 +19,7 @@ struct AxisValue {
 };
 
 struct Axis {
-  std::string_view name;     // also the option: --contact
+  std::string_view name;  // also the option: --contact
   std::string_view summary;
   std::size_t default_value;  // index into values
   std::span<const AxisValue> values;

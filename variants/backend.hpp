@@ -1,6 +1,6 @@
 #pragma once
-// A back end runs a variant of the model on a scene. `host` is the C++ reference, `opencl` any ICD device, `simt` the
-// simulator. Users hold a Simulation and never ask which it is.
+// A back end runs a variant of the model on a scene. `host` is the C++ reference, `opencl` any ICD device,
+// `simt` the simulator. Users hold a Simulation and never ask which it is.
 
 #include <cstdint>
 #include <memory>
@@ -26,20 +26,23 @@ struct KernelTiming {
 class Simulation {
  public:
   virtual ~Simulation() = default;
-  // Advances by n steps. Throws SimulationError naming the particle when one leaves the domain, runs out of contact
-  // slots or turns NaN; the step number is in the message.
+  // Advances by n steps. Throws SimulationError naming the particle when one leaves the domain, runs out of
+  // contact slots or turns NaN; the step number is in the message.
   virtual void step(std::uint64_t n) = 0;
-  virtual ParticleState state() const = 0;   // sorted by id; contact_history as particle_state.hpp says
-  virtual ForceState forces() const = 0;     // in the order of state()
+  virtual ParticleState state() const = 0;  // sorted by id; contact_history as particle_state.hpp says
+  virtual ForceState forces() const = 0;    // in the order of state()
   virtual std::uint64_t contact_count() const = 0;  // contacts touching now: a pair once, a wall contact once
   virtual std::uint64_t steps_done() const = 0;
   virtual std::vector<KernelTiming> timings() const = 0;  // in order of first use
-  virtual std::string device() const = 0;    // as the device calls itself
+  virtual std::string device() const = 0;                 // as the device calls itself
 };
 
 struct BackendOptions {
-  std::string device;        // substring of an OpenCL device or platform name; empty: the first PoCL device, else the first
-  unsigned threads = 0;      // host and simt: worker threads, 0 = all cores
+  std::string
+      device;  // substring of an OpenCL device or platform name; empty: the first PoCL device, else the first
+  unsigned threads = 0;  // host and simt: worker threads, 0 = all cores
+  std::string
+      kernel_folder;  // files there (below it as below kernels/) shadow the kernels of the build; empty: none
 };
 
 struct Backend {
@@ -47,7 +50,8 @@ struct Backend {
   std::string_view summary;
   // Empty when it can be used here; else what is missing, in one line.
   std::string (*lacks)();
-  // Throws InputError when the variant cannot run on it, the device is not there or a kernel does not compile.
+  // Throws InputError when the variant cannot run on it, the device is not there or a kernel does not
+  // compile.
   std::unique_ptr<Simulation> (*create)(const Scene&, const Variant&, const BackendOptions&);
 };
 

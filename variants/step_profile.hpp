@@ -9,8 +9,8 @@
 
 namespace warpgrain {
 
-// Profiles one time step (integrate ... forces from walls) of `variant`, beginning at the scene's particle state. One
-// entry a kernel launch, in the order of launching. Throws as Simulation::step does.
+// Profiles one time step (integrate ... forces from walls) of `variant`, beginning at the scene's particle
+// state. One entry a kernel launch, in the order of launching. Throws as Simulation::step does.
 std::vector<profiler::LaunchProfile> profile_step(const Scene& scene, const Variant& variant,
                                                   const profiler::ProfileOptions& options);
 

@@ -1,0 +1,54 @@
+// What a contact law is to the kernels around it. A law is one .cl file beside this one that defines apply_contact(); the
+// kernels that find contacts (search/*.cl, force_from_walls.cl) call it for every touching partner and know no law.
+#ifndef WARPGRAIN_CONTACT_LAW_H
+#define WARPGRAIN_CONTACT_LAW_H
+
+#include "contact_history.h"
+#include "prelude.h"
+
+// The particle whose work-item runs.
+typedef struct {
+  real3 position, velocity, angular_velocity;
+  real radius, mass;
+  uint rank, material;
+} Particle;
+
+// A partner that touches it. A wall has infinite radius and mass and rests: both inverses and all motion are zero.
+typedef struct {
+  real3 contact_normal;    // unit, from the particle to the partner
+  real overlap;            // > 0
+  real3 velocity;          // of the partner's centre
+  real3 surface_rotation;  // radius times angular velocity of the partner
+  real inverse_radius, inverse_mass;
+  uint partner;  // rank, or WALL_PARTNER_BIT | index of the wall
+  uint material;
+} Contact;
+
+// What a law may look up.
+typedef struct {
+  CONSTANT const real4* contact_parameters;  // [n_materials * n_materials]: C_kn, C_kt, alpha, mu
+  uint n_materials;
+  real time_step;
+  real k_spring, k_damping, k_shear;
+} LawParameters;
+
+typedef struct {
+  real3 force, torque;
+} ForceSum;
+
+DEVICE_FUNCTION LawParameters law_parameters(const StepParameters p, CONSTANT const real4* contact_parameters) {
+  LawParameters law;
+  law.contact_parameters = contact_parameters;
+  law.n_materials = p.n_materials;
+  law.time_step = p.time_step;
+  law.k_spring = p.k_spring;
+  law.k_damping = p.k_damping;
+  law.k_shear = p.k_shear;
+  return law;
+}
+
+// Adds to `sum` the force and torque on the particle; a law with history reads and continues the contact's slot.
+DEVICE_FUNCTION void apply_contact(const LawParameters* law, const Particle* particle, const Contact* contact,
+                                   ContactHistory* history, ForceSum* sum);
+
+#endif

@@ -1,0 +1,73 @@
+// The contact slots of a particle: what each touching partner's contact remembers, keyed by the partner's rank. The slots
+// of the evaluation before are read, those of this one are written, so that contacts that ended fall away by themselves.
+#ifndef WARPGRAIN_CONTACT_HISTORY_H
+#define WARPGRAIN_CONTACT_HISTORY_H
+
+#include "prelude.h"
+#include "status.h"
+
+// Slots of a particle; 0: the law keeps no history, and the arrays are not there.
+#ifndef CONTACT_SLOTS
+#define CONTACT_SLOTS 16
+#endif
+
+#if CONTACT_SLOTS > 0
+// Parameters of the kernels that evaluate forces, and how they are gathered into a ContactHistory.
+#define HISTORY_PARAMETERS                                                                                       \
+  , GLOBAL const uint2 *counts_before, GLOBAL const uint *partners_before, GLOBAL const real *displacements_before, \
+      GLOBAL uint *partners_after, GLOBAL real *displacements_after
+
+typedef struct {
+  GLOBAL const uint* partners_before;
+  GLOBAL const real* displacements_before;
+  uint n_before;
+  GLOBAL uint* partners_after;
+  GLOBAL real* displacements_after;
+  uint n_after;
+  GLOBAL uint* status;
+  uint rank;
+} ContactHistory;
+
+#define HISTORY_OF(particle, rank, n_after) \
+  history_of(particle, rank, n_after, status, counts_before, partners_before, displacements_before, partners_after, \
+             displacements_after)
+
+DEVICE_FUNCTION ContactHistory history_of(uint particle, uint rank, uint n_after, GLOBAL uint* status HISTORY_PARAMETERS) {
+  ContactHistory history;
+  history.partners_before = partners_before + particle * CONTACT_SLOTS;
+  history.displacements_before = displacements_before + particle * CONTACT_SLOTS * 3;
+  history.n_before = counts_before[particle].x + counts_before[particle].y;
+  history.partners_after = partners_after + particle * CONTACT_SLOTS;
+  history.displacements_after = displacements_after + particle * CONTACT_SLOTS * 3;
+  history.n_after = n_after;
+  history.status = status;
+  history.rank = rank;
+  return history;
+}
+
+// The tangential displacement that the contact with `partner` remembers; zero for a new contact.
+DEVICE_FUNCTION real3 remembered_displacement(const ContactHistory* history, uint partner) {
+  for (uint slot = 0; slot < history->n_before; ++slot) {  // branch: history search
+    if (history->partners_before[slot] == partner) {       // branch: history found
+      return vload3(slot, history->displacements_before);
+    }
+  }
+  return make_real3(REAL(0.0), REAL(0.0), REAL(0.0));
+}
+
+DEVICE_FUNCTION void remember_displacement(ContactHistory* history, uint partner, real3 displacement) {
+  if (history->n_after == CONTACT_SLOTS) {  // branch: slots full
+    report_error(history->status, STATUS_SLOTS_FULL, history->rank);
+    return;
+  }
+  history->partners_after[history->n_after] = partner;
+  vstore3(displacement, history->n_after, history->displacements_after);
+  history->n_after += 1;
+}
+#else
+#define HISTORY_PARAMETERS
+#define HISTORY_OF(particle, rank, n_after) 0
+typedef int ContactHistory;
+#endif
+
+#endif

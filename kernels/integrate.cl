@@ -1,0 +1,26 @@
+// Step 1 of the paper's flow: semi-implicit Euler, v += dt a(x, v), then x += dt v; the same for the angular velocity.
+
+#include "prelude.h"
+#include "status.h"
+
+KERNEL void integrate(const StepParameters p, GLOBAL real4* position_radius, GLOBAL real4* velocity_mass,
+                      GLOBAL real4* angular_velocity, GLOBAL const real4* force, GLOBAL const real4* torque,
+                      GLOBAL uint* status) {
+  const uint particle = work_item();
+  if (particle == 0) count_step(status);
+  if (particle >= p.n_particles) return;  // branch: beyond the last particle
+
+  const real4 position = position_radius[particle];
+  const real4 velocity = velocity_mass[particle];
+  const real mass = velocity.w;
+  const real moment_of_inertia = REAL(0.4) * mass * position.w * position.w;
+
+  const real3 new_velocity = xyz(velocity) + xyz(force[particle]) * (p.time_step / mass);
+  const real3 new_position = xyz(position) + new_velocity * p.time_step;
+  const real3 new_spin =
+      xyz(angular_velocity[particle]) + xyz(torque[particle]) * (p.time_step / moment_of_inertia);
+
+  velocity_mass[particle] = make_real4(new_velocity, mass);
+  position_radius[particle] = make_real4(new_position, position.w);
+  angular_velocity[particle] = make_real4(new_spin, REAL(0.0));
+}

@@ -1,0 +1,21 @@
+// Loading and storing the particle of a work-item, for the kernels that evaluate forces.
+#ifndef WARPGRAIN_PARTICLE_ACCESS_H
+#define WARPGRAIN_PARTICLE_ACCESS_H
+
+#include "contact/contact_law.h"
+#include "prelude.h"
+
+DEVICE_FUNCTION Particle load_particle(uint index, GLOBAL const real4* position_radius, GLOBAL const real4* velocity_mass,
+                                       GLOBAL const real4* angular_velocity, GLOBAL const uint2* rank_material) {
+  Particle particle;
+  particle.position = xyz(position_radius[index]);
+  particle.radius = position_radius[index].w;
+  particle.velocity = xyz(velocity_mass[index]);
+  particle.mass = velocity_mass[index].w;
+  particle.angular_velocity = xyz(angular_velocity[index]);
+  particle.rank = rank_material[index].x;
+  particle.material = rank_material[index].y;
+  return particle;
+}
+
+#endif

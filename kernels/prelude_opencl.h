@@ -1,0 +1,41 @@
+// The words of the kernels in OpenCL C 1.2. Another platform gets a file like this one with the same words; the
+// kernels themselves name nothing of a dialect.
+#ifndef WARPGRAIN_PRELUDE_OPENCL_H
+#define WARPGRAIN_PRELUDE_OPENCL_H
+
+// The precision axis: -D REAL_BITS=64 computes in double.
+#ifndef REAL_BITS
+#define REAL_BITS 32
+#endif
+#if REAL_BITS == 64
+#pragma OPENCL EXTENSION cl_khr_fp64 : enable
+typedef double real;
+typedef double3 real3;
+typedef double4 real4;
+#define REAL(literal) literal
+#else
+typedef float real;
+typedef float3 real3;
+typedef float4 real4;
+#define REAL(literal) literal##f
+#endif
+
+#define KERNEL __kernel
+#define GLOBAL __global
+#define CONSTANT __constant
+#define LOCAL __local
+// Always inlined: a law is called from two kernels, and neither may pay for a call.
+#define DEVICE_FUNCTION static inline __attribute__((always_inline))
+#define WORK_GROUP_OF(n) __attribute__((reqd_work_group_size(n, 1, 1)))
+
+#define work_item() ((uint)get_global_id(0))
+#define work_item_in_group() ((uint)get_local_id(0))
+#define work_group() ((uint)get_group_id(0))
+#define work_group_barrier_local() barrier(CLK_LOCAL_MEM_FENCE)
+
+#define make_real3(x, y, z) ((real3)(x, y, z))
+#define make_real4(v, w) ((real4)(v, w))
+#define make_uint2(x, y) ((uint2)(x, y))
+#define xyz(v) ((v).xyz)
+
+#endif

@@ -1,0 +1,72 @@
+// Step 6: the forces between particles. Each work-item walks the 27 cells around its particle; the law is any of contact/.
+
+#include "contact/contact_law.h"
+#include "grid.h"
+#include "particle_access.h"
+#include "prelude.h"
+
+// The order axis: 1, the arrays are in the order of the sorted map; 0, they are in the order of ranks.
+#ifndef ORDER_CELL
+#define ORDER_CELL 1
+#endif
+
+DEVICE_FUNCTION uint particle_at(uint place, GLOBAL const ulong* cell_keys) {
+#if ORDER_CELL
+  return place;
+#else
+  return (uint)cell_keys[place];
+#endif
+}
+
+KERNEL void force_between_particles(const StepParameters p, GLOBAL const ulong* cell_keys, GLOBAL const uint2* cell_ranges,
+                                    GLOBAL const real4* position_radius, GLOBAL const real4* velocity_mass,
+                                    GLOBAL const real4* angular_velocity, GLOBAL const uint2* rank_material,
+                                    CONSTANT const real4* contact_parameters, GLOBAL real4* force, GLOBAL real4* torque,
+                                    GLOBAL uint2* contact_counts, GLOBAL uint* status HISTORY_PARAMETERS) {
+  const uint self = work_item();
+  if (self >= p.n_particles) return;  // branch: beyond the last particle
+  const Particle particle = load_particle(self, position_radius, velocity_mass, angular_velocity, rank_material);
+  const LawParameters law = law_parameters(p, contact_parameters);
+  ContactHistory history = HISTORY_OF(self, particle.rank, 0);
+  ForceSum sum;
+  sum.force = make_real3(p.gravity_x, p.gravity_y, p.gravity_z) * particle.mass;
+  sum.torque = make_real3(REAL(0.0), REAL(0.0), REAL(0.0));
+  uint n_contacts = 0;
+
+  const Cell cell = cell_at(p, position_radius[self]);
+  for (int z = max(cell.z - 1, 0); z <= min(cell.z + 1, (int)p.cells_z - 1); ++z) {
+    for (int y = max(cell.y - 1, 0); y <= min(cell.y + 1, (int)p.cells_y - 1); ++y) {
+      for (int x = max(cell.x - 1, 0); x <= min(cell.x + 1, (int)p.cells_x - 1); ++x) {  // branch: next cell
+        const uint2 range = cell_ranges[cell_number(p, x, y, z)];
+        for (uint place = range.x; place < range.y; ++place) {  // branch: cell has more
+          const uint other = particle_at(place, cell_keys);
+          if (other == self) continue;  // branch: self
+          const real4 place_of_other = position_radius[other];
+          const real3 separation = xyz(place_of_other) - particle.position;
+          const real reach = particle.radius + place_of_other.w;
+          const real square = dot(separation, separation);
+          if (square < reach * reach) {  // branch: contact test
+            const real distance = sqrt(square);
+            const real4 motion = velocity_mass[other];
+            const uint2 other_identity = rank_material[other];
+            Contact contact;
+            contact.contact_normal = separation / distance;
+            contact.overlap = reach - distance;
+            contact.velocity = xyz(motion);
+            contact.surface_rotation = place_of_other.w * xyz(angular_velocity[other]);
+            contact.inverse_radius = REAL(1.0) / place_of_other.w;
+            contact.inverse_mass = REAL(1.0) / motion.w;
+            contact.partner = other_identity.x;
+            contact.material = other_identity.y;
+            apply_contact(&law, &particle, &contact, &history, &sum);
+            ++n_contacts;
+          }
+        }
+      }
+    }
+  }
+
+  force[self] = make_real4(sum.force, REAL(0.0));
+  torque[self] = make_real4(sum.torque, REAL(0.0));
+  contact_counts[self] = make_uint2(n_contacts, 0);
+}

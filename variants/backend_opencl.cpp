@@ -1,0 +1,24 @@
+#include "variants/backend_opencl.hpp"
+
+#include "variants/device_simulation.hpp"
+#include "variants/opencl_device.hpp"
+
+namespace warpgrain {
+namespace {
+
+std::string lacks() {
+  return count_opencl_devices() > 0 ? "" : "no OpenCL device: install a driver, such as pocl-opencl-icd";
+}
+
+std::unique_ptr<Simulation> create(const Scene& scene, const Variant& variant,
+                                   const BackendOptions& options) {
+  const bool needs_fp64 = variant.value(AxisId::precision) == "fp64";
+  return std::make_unique<DeviceSimulation>(scene, variant, options,
+                                            open_opencl_device(options.device, needs_fp64));
+}
+
+}  // namespace
+
+const Backend opencl_backend{"opencl", "any OpenCL device", lacks, create};
+
+}  // namespace warpgrain

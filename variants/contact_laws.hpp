@@ -1,0 +1,34 @@
+#pragma once
+// The contact laws: one row here and one .cl file in kernels/contact/. Everything else follows from the row:
+// the axis value, the back ends, the sweep, the conformance test.
+
+#include <span>
+#include <string_view>
+
+#include "core/model.hpp"
+#include "variants/axes.hpp"
+
+namespace warpgrain {
+
+// Largest deviation from the double reference in one force evaluation: of a force as a part of the largest
+// force in the bed, of a torque as a part of the largest force times the largest radius, of a tangential
+// displacement as a part of the largest one or of the distance that the fastest contact slides in a step,
+// whichever is larger.
+struct ErrorBounds {
+  double fp32 = 0, fp64 = 0;
+};
+
+struct ContactLaw {
+  std::string_view name;  // value of the axis `contact`
+  std::string_view summary;
+  std::string_view file;                         // in kernels/
+  ContactModel model = ContactModel::practical;  // what the law computes, whatever the scene's model says
+  bool keeps_history = true;
+  ErrorBounds error_bounds;
+};
+
+std::span<const ContactLaw> contact_laws();
+// The law of a variant.
+const ContactLaw& contact_law(const Variant& variant);
+
+}  // namespace warpgrain

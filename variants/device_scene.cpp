@@ -1,0 +1,280 @@
+#include "variants/device_scene.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <fmt/format.h>
+#include <span>
+#include <unordered_map>
+
+#include "core/error.hpp"
+#include "kernels/layout.h"
+#include "variants/contact_laws.hpp"
+
+namespace warpgrain {
+namespace {
+
+// What every OpenCL device can hold in constant memory.
+constexpr std::size_t constant_bytes = 64u << 10;
+
+template <class T>
+std::vector<std::byte> bytes_of(std::span<const T> values) {
+  const auto bytes = std::as_bytes(values);
+  return {bytes.begin(), bytes.end()};
+}
+
+struct Grid {
+  double cell_size = 0;
+  std::array<std::uint32_t, 3> cells{};
+};
+
+// Cells a little larger than the largest diameter: a particle may be rounded into the cell beside its own,
+// and its partners must still be at most one cell away. In float that needs eps * cells along an axis << the
+// margin, hence the bound on their number; the bound on their product keeps sparse scenes from clearing cells
+// for nothing.
+Grid make_grid(const Scene& scene, double largest_radius) {
+  constexpr double margin = 1e-3;
+  constexpr double most_along_an_axis = 2048;
+  const double most_cells = std::max(4096.0, 64.0 * static_cast<double>(scene.particles.size()));
+  const Vector3d size = scene.domain.upper - scene.domain.lower;
+  if (!size.allFinite() || (size.array() <= 0).any()) {
+    throw_input_error("scene: domain", fmt::format("[{}, {}, {}] m large", size.x(), size.y(), size.z()),
+                      "a finite box with a volume");
+  }
+  Grid grid;
+  grid.cell_size = std::max(2 * largest_radius * (1 + margin), size.maxCoeff() / most_along_an_axis);
+  const auto n_cells = [&] { return (size / grid.cell_size).array().ceil().max(1).prod(); };
+  while (n_cells() > most_cells) grid.cell_size *= 1.1;
+  for (int axis = 0; axis < 3; ++axis) {
+    grid.cells[axis] = static_cast<std::uint32_t>(std::max(1.0, std::ceil(size[axis] / grid.cell_size)));
+  }
+  return grid;
+}
+
+// In units of the precision, which rounds outwards what the domain's bounds must not lose.
+template <class real>
+layout::StepParameters<real> step_parameters(const Scene& scene, const DeviceScene& device,
+                                             const Grid& grid) {
+  const auto r = [](double value) { return static_cast<real>(value); };
+  const Vector3d &lower = scene.domain.lower, &upper = scene.domain.upper, &gravity = scene.gravity;
+  const SimpleParameters& simple = scene.model.simple;
+  return {.time_step = r(scene.time_step),
+          .gravity_x = r(gravity.x()),
+          .gravity_y = r(gravity.y()),
+          .gravity_z = r(gravity.z()),
+          .lower_x = r(lower.x()),
+          .lower_y = r(lower.y()),
+          .lower_z = r(lower.z()),
+          .upper_x = r(upper.x()),
+          .upper_y = r(upper.y()),
+          .upper_z = r(upper.z()),
+          .inverse_cell_size = r(1 / grid.cell_size),
+          .k_spring = r(simple.k_spring),
+          .k_damping = r(simple.k_damping),
+          .k_shear = r(simple.k_shear),
+          .n_particles = device.n_particles,
+          .n_keys = device.n_keys,
+          .n_materials = static_cast<std::uint32_t>(scene.contacts.n_materials()),
+          .n_walls = static_cast<std::uint32_t>(scene.walls.size()),
+          .cells_x = grid.cells[0],
+          .cells_y = grid.cells[1],
+          .cells_z = grid.cells[2]};
+}
+
+template <class real>
+std::vector<std::byte> wall_rows(const std::vector<Wall>& walls) {
+  const auto r = [](double value) { return static_cast<real>(value); };
+  std::vector<layout::WallLayout<real>> rows;
+  for (const Wall& wall : walls) {
+    const bool is_rectangle = wall.kind == WallKind::rectangle;
+    const Vector3d u = is_rectangle ? wall.edge_u : Vector3d::Zero();
+    const Vector3d v = is_rectangle ? wall.edge_v : Vector3d::Zero();
+    const Vector3d fraction_u = is_rectangle ? Vector3d(u / u.squaredNorm()) : u;
+    const Vector3d fraction_v = is_rectangle ? Vector3d(v / v.squaredNorm()) : v;
+    rows.push_back({r(wall.point.x()),
+                    r(wall.point.y()),
+                    r(wall.point.z()),
+                    r(wall.normal.x()),
+                    r(wall.normal.y()),
+                    r(wall.normal.z()),
+                    r(fraction_u.x()),
+                    r(fraction_u.y()),
+                    r(fraction_u.z()),
+                    r(fraction_v.x()),
+                    r(fraction_v.y()),
+                    r(fraction_v.z()),
+                    r(u.x()),
+                    r(u.y()),
+                    r(u.z()),
+                    r(v.x()),
+                    r(v.y()),
+                    r(v.z()),
+                    is_rectangle ? 1u : 0u,
+                    wall.material});
+  }
+  if (rows.empty()) rows.emplace_back();  // a buffer of no bytes cannot be made
+  return bytes_of<layout::WallLayout<real>>(rows);
+}
+
+template <class real>
+std::vector<std::byte> contact_parameter_rows(const ContactTable& contacts) {
+  std::vector<real> rows;
+  for (std::size_t i = 0; i < contacts.n_materials(); ++i) {
+    for (std::size_t j = 0; j < contacts.n_materials(); ++j) {
+      const ContactParameters& p = contacts.at(i, j);
+      for (double value :
+           {p.normal_parameter, p.tangential_parameter, p.damping_parameter, p.friction_coefficient}) {
+        rows.push_back(static_cast<real>(value));
+      }
+    }
+  }
+  return bytes_of<real>(rows);
+}
+
+// x, y, z and a fourth value, a particle.
+template <class real, class Fourth>
+std::vector<std::byte> packed(const std::vector<Vector3d>& vectors, Fourth fourth) {
+  std::vector<real> values;
+  values.reserve(4 * vectors.size());
+  for (std::size_t k = 0; k < vectors.size(); ++k) {
+    for (int axis = 0; axis < 3; ++axis) values.push_back(static_cast<real>(vectors[k][axis]));
+    values.push_back(static_cast<real>(fourth(k)));
+  }
+  return bytes_of<real>(values);
+}
+
+template <class real>
+void lay_out_history(const ParticleState& particles, DeviceScene& device) {
+  const std::size_t slots = device.contact_slots;
+  std::vector<std::uint32_t> counts(2 * particles.size()), partners(slots * particles.size());
+  std::vector<real> displacements(3 * slots * particles.size());
+  std::unordered_map<std::uint32_t, std::uint32_t> rank_of_id;
+  for (std::uint32_t rank = 0; rank < particles.size(); ++rank) rank_of_id[particles.id[rank]] = rank;
+  const auto rank_of = [&](std::uint32_t id) {
+    const auto it = rank_of_id.find(id);
+    if (it == rank_of_id.end()) {
+      throw_input_error("contact history", fmt::format("particle {}", id), "an id of the scene");
+    }
+    return it->second;
+  };
+  for (const ContactRecord& record : particles.contact_history) {
+    const std::uint32_t rank = rank_of(record.particle_id);
+    const bool is_wall = (record.partner_id & wall_partner_bit) != 0;
+    std::uint32_t& count = counts[2 * rank + (is_wall ? 1 : 0)];
+    const std::size_t slot = counts[2 * rank] + counts[2 * rank + 1];
+    if (slot == slots) {
+      throw SimulationError(fmt::format("particle {}: its contact history has more than {} contacts",
+                                        record.particle_id, slots));
+    }
+    partners[rank * slots + slot] = is_wall ? record.partner_id : rank_of(record.partner_id);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      displacements[3 * (rank * slots + slot) + axis] =
+          static_cast<real>(record.tangential_displacement[static_cast<Eigen::Index>(axis)]);
+    }
+    ++count;
+  }
+  device.contents[DeviceArray::contact_counts] = bytes_of<std::uint32_t>(counts);
+  device.contents[DeviceArray::history_partners] = bytes_of<std::uint32_t>(partners);
+  device.contents[DeviceArray::history_displacements] = bytes_of<real>(displacements);
+}
+
+template <class real>
+void fill(const Scene& scene, const Grid& grid, DeviceScene& device) {
+  using enum DeviceArray;
+  const ParticleState& particles = scene.particles;
+  const layout::StepParameters<real> parameters = step_parameters<real>(scene, device, grid);
+  device.parameters = bytes_of<layout::StepParameters<real>>({&parameters, 1});
+  auto& contents = device.contents;
+  contents[position_radius] =
+      packed<real>(particles.position, [&](std::size_t k) { return particles.radius[k]; });
+  contents[velocity_mass] =
+      packed<real>(particles.velocity, [&](std::size_t k) { return particles.mass[k]; });
+  contents[angular_velocity] = packed<real>(particles.angular_velocity, [](std::size_t) { return 0.0; });
+  std::vector<std::uint32_t> identity;
+  for (std::uint32_t rank = 0; rank < particles.size(); ++rank) {
+    identity.insert(identity.end(), {rank, particles.material[rank]});
+  }
+  contents[rank_material] = bytes_of<std::uint32_t>(identity);
+  contents[walls] = wall_rows<real>(scene.walls);
+  contents[contact_parameters] = contact_parameter_rows<real>(scene.contacts);
+  if (device.keeps_history) lay_out_history<real>(particles, device);
+}
+
+void size_arrays(const Variant& variant, DeviceScene& device) {
+  using enum DeviceArray;
+  const std::size_t n = device.n_particles, real_bytes = device.is_fp64 ? 8 : 4;
+  const bool reorders = variant.value(AxisId::order) == "cell";
+  auto& bytes = device.bytes;
+  for (DeviceArray vectors : {position_radius, velocity_mass, angular_velocity, force, torque})
+    bytes[vectors] = 4 * real_bytes * n;
+  for (DeviceArray pairs : {rank_material, contact_counts}) bytes[pairs] = 8 * n;
+  if (reorders) {
+    for (DeviceArray vectors : {position_radius_spare, velocity_mass_spare, angular_velocity_spare}) {
+      bytes[vectors] = 4 * real_bytes * n;
+    }
+    bytes[rank_material_spare] = 8 * n;
+  }
+  if (device.keeps_history) {
+    bytes[contact_counts_before] = 8 * n;
+    for (DeviceArray partners : {history_partners, history_partners_before})
+      bytes[partners] = 4 * device.contact_slots * n;
+    for (DeviceArray displacements : {history_displacements, history_displacements_before}) {
+      bytes[displacements] = 3 * real_bytes * device.contact_slots * n;
+    }
+  }
+  bytes[cell_keys] = 8 * std::size_t{device.n_keys};
+  bytes[particle_of_rank] = 4 * n;
+  bytes[cell_ranges] = 8 * std::size_t{device.n_cells};
+  bytes[contact_parameters] = device.contents[contact_parameters].size();
+  bytes[walls] = device.contents[walls].size();
+  bytes[status] = 4 * STATUS_SIZE;
+}
+
+}  // namespace
+
+std::uint32_t contact_slots_for(const ParticleState& particles) {
+  const auto [smallest, largest] = std::ranges::minmax(particles.radius);
+  // A sphere of radius r on one of radius R covers a cap of half-angle asin(r / (R + r)); caps of one size
+  // cover at most 0.9069 of a surface (the densest packing of circles). 13 for equal radii.
+  const double sine = smallest / (largest + smallest);
+  const double caps = 0.9069 * 2 / (1 - std::sqrt(1 - sine * sine));
+  const auto needed = static_cast<std::uint32_t>(std::min(caps, 4096.0)) + 3;
+  return (needed + 3) / 4 * 4;
+}
+
+DeviceScene lay_out(const Scene& scene, const Variant& variant) {
+  using enum DeviceArray;
+  const ParticleState& particles = scene.particles;
+  if (particles.size() == 0) throw_input_error("scene: particles", "none", "at least one");
+  if (particles.size() >= std::size_t{1} << 28) {
+    throw_input_error("scene: particles", fmt::format("{}", particles.size()), "fewer than 2^28 on a device");
+  }
+  DeviceScene device;
+  device.is_fp64 = variant.value(AxisId::precision) == "fp64";
+  device.keeps_history = contact_law(variant).keeps_history;
+  device.contact_slots = device.keeps_history ? contact_slots_for(particles) : 0;
+  device.n_particles = static_cast<std::uint32_t>(particles.size());
+  device.n_keys = std::max<std::uint32_t>(2 * SORT_WORK_GROUP, std::bit_ceil(device.n_particles));
+  const Grid grid = make_grid(scene, std::ranges::max(particles.radius));
+  device.n_cells = grid.cells[0] * grid.cells[1] * grid.cells[2];
+  if (device.is_fp64) {
+    fill<double>(scene, grid, device);
+  } else {
+    fill<float>(scene, grid, device);
+  }
+  std::vector<std::uint32_t> status_words(STATUS_SIZE, NO_PARTICLE);
+  status_words[STATUS_STEPS] = status_words[STATUS_STOPPED] = 0;
+  device.contents[status] = bytes_of<std::uint32_t>(status_words);
+  size_arrays(variant, device);
+  for (const auto& [array, what] :
+       {std::pair{walls, "walls"}, std::pair{contact_parameters, "pairs of materials"}}) {
+    if (device.bytes[array] > constant_bytes) {
+      throw_input_error("scene", fmt::format("{} of {} bytes", what, device.bytes[array]),
+                        fmt::format("at most {} bytes in a device's constant memory", constant_bytes));
+    }
+  }
+  return device;
+}
+
+}  // namespace warpgrain

@@ -1,0 +1,36 @@
+#pragma once
+// A scene as a device holds it: sizes, kernel parameters, and what the arrays hold before the first
+// evaluation.
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/particle_state.hpp"
+#include "core/scene.hpp"
+#include "variants/axes.hpp"
+#include "variants/device_arrays.hpp"
+
+namespace warpgrain {
+
+struct DeviceScene {
+  bool is_fp64 = false;
+  bool keeps_history = false;
+  std::uint32_t contact_slots = 0;  // of a particle; 0 without history
+  std::uint32_t n_particles = 0;
+  std::uint32_t n_keys = 0;  // n_particles padded to a power of two, at least a block of the sort
+  std::uint32_t n_cells = 0;
+  std::vector<std::byte> parameters;          // layout::StepParameters of the precision
+  PerArray<std::size_t> bytes;                // 0: the array is not used
+  PerArray<std::vector<std::byte>> contents;  // [bytes]; empty: need not be written
+};
+
+// Throws InputError for a scene that no device can hold, SimulationError when a particle's contact history
+// does not fit its slots.
+DeviceScene lay_out(const Scene& scene, const Variant& variant);
+
+// Contact slots that no particle can run out of while overlaps are small: how many spheres of the smallest
+// radius touch one of the largest, and three walls.
+std::uint32_t contact_slots_for(const ParticleState& particles);
+
+}  // namespace warpgrain

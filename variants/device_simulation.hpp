@@ -1,0 +1,50 @@
+#pragma once
+// A Simulation over any device that runs the step plan.
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "variants/backend.hpp"
+#include "variants/compute_device.hpp"
+
+namespace warpgrain {
+
+class DeviceSimulation : public Simulation {
+ public:
+  // Evaluates the forces at the scene's positions.
+  DeviceSimulation(const Scene& scene, const Variant& variant, const BackendOptions& options,
+                   std::unique_ptr<ComputeDevice> device);
+
+  void step(std::uint64_t n) override;
+  ParticleState state() const override;
+  ForceState forces() const override;
+  std::uint64_t contact_count() const override;
+  std::uint64_t steps_done() const override { return steps_done_; }
+  std::vector<KernelTiming> timings() const override { return device_->timings(); }
+  std::string device() const override { return device_->name(); }
+
+ private:
+  void run(const std::vector<PlanEntry>& entries);
+  // Throws SimulationError when a kernel has reported an error.
+  void check() const;
+  template <class T>
+  std::vector<T> download(DeviceArray array) const;
+  std::vector<double> download_reals(DeviceArray array) const;
+  // Where the k-th particle by id stands in the device's arrays now, [n_particles].
+  std::vector<std::uint32_t> places_by_id() const;
+  ContactHistory history_before(const std::vector<std::uint32_t>& places) const;
+
+  std::unique_ptr<ComputeDevice> device_;
+  StepPlan plan_;
+  // By rank, [n_particles]: what does not change, as the scene gave it.
+  std::vector<std::uint32_t> id_, material_;
+  std::vector<double> radius_, mass_;
+  std::vector<std::uint32_t> ranks_by_id_;
+  PerArray<std::size_t> bytes_;
+  std::uint32_t contact_slots_ = 0;
+  bool is_fp64_ = false;
+  std::uint64_t steps_done_ = 0;
+};
+
+}  // namespace warpgrain

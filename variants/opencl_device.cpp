@@ -1,0 +1,194 @@
+#include "variants/opencl_device.hpp"
+
+#define CL_HPP_ENABLE_EXCEPTIONS
+#define CL_HPP_TARGET_OPENCL_VERSION 120
+#define CL_HPP_MINIMUM_OPENCL_VERSION 120
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpedantic"
+#include <CL/opencl.hpp>
+#pragma GCC diagnostic pop
+#include <algorithm>
+#include <cctype>
+#include <fmt/format.h>
+#include <map>
+#include <utility>
+
+#include "core/error.hpp"
+
+namespace warpgrain {
+namespace {
+
+struct FoundDevice {
+  cl::Device device;
+  std::string platform, name;
+};
+
+std::vector<FoundDevice> find_devices() {
+  std::vector<FoundDevice> found;
+  std::vector<cl::Platform> platforms;
+  try {
+    cl::Platform::get(&platforms);
+  } catch (const cl::Error&) {
+    return found;  // the loader reports "no platform" as an error
+  }
+  for (const cl::Platform& platform : platforms) {
+    std::vector<cl::Device> devices;
+    try {
+      platform.getDevices(CL_DEVICE_TYPE_ALL, &devices);
+    } catch (const cl::Error&) {
+      continue;  // and "no device" likewise
+    }
+    for (const cl::Device& device : devices) {
+      found.push_back({device, platform.getInfo<CL_PLATFORM_NAME>(), device.getInfo<CL_DEVICE_NAME>()});
+    }
+  }
+  return found;
+}
+
+std::string lower_case(std::string text) {
+  std::ranges::transform(text, text.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+FoundDevice choose_device(const std::string& substring) {
+  const std::vector<FoundDevice> found = find_devices();
+  if (found.empty())
+    throw_input_error("opencl", "no device found", "an OpenCL driver, such as pocl-opencl-icd");
+  const auto matches = [](const FoundDevice& device, const std::string& text) {
+    return lower_case(device.platform + ' ' + device.name).find(lower_case(text)) != std::string::npos;
+  };
+  const std::string wanted = substring.empty() ? "portable computing language" : substring;
+  const auto it =
+      std::ranges::find_if(found, [&](const FoundDevice& device) { return matches(device, wanted); });
+  if (it != found.end()) return *it;
+  if (substring.empty()) return found.front();
+  std::vector<std::string_view> names;
+  for (const FoundDevice& device : found) names.push_back(device.name);
+  throw_unknown_name("--device", "device", substring, names);
+}
+
+class OpenclDevice : public ComputeDevice {
+ public:
+  explicit OpenclDevice(const FoundDevice& found)
+      : name_(found.name),
+        device_(found.device),
+        context_(found.device),
+        queue_(context_, found.device, CL_QUEUE_PROFILING_ENABLE) {}
+
+  void build(const std::vector<SourceUnit>& units) override {
+    for (const SourceUnit& unit : units) {
+      cl::Program program(context_, unit.text);
+      try {
+        program.build(device_, unit.build_options.c_str());
+      } catch (const cl::BuildError& error) {
+        std::string log = error.getBuildLog().empty() ? std::string() : error.getBuildLog().front().second;
+        while (!log.empty() && (log.back() == '\n' || log.back() == '\0')) log.pop_back();
+        throw_input_error(unit.name, fmt::format("does not compile for {}\n{}", name_, log));
+      }
+      units_.push_back({unit.name, program, {}});
+    }
+  }
+
+  void allocate(DeviceArray array, std::size_t bytes) override {
+    guarded([&] { buffers_[array] = cl::Buffer(context_, CL_MEM_READ_WRITE, bytes); });
+  }
+  void write(DeviceArray array, std::span<const std::byte> bytes) override {
+    guarded([&] { queue_.enqueueWriteBuffer(buffers_[array], CL_TRUE, 0, bytes.size(), bytes.data()); });
+  }
+  void read(DeviceArray array, std::span<std::byte> bytes) override {
+    guarded([&] { queue_.enqueueReadBuffer(buffers_[array], CL_TRUE, 0, bytes.size(), bytes.data()); });
+  }
+  void swap(DeviceArray first, DeviceArray second) override { std::swap(buffers_[first], buffers_[second]); }
+
+  void launch(const KernelLaunch& launch) override {
+    guarded([&] {
+      BuiltKernel& built = kernel(launch);
+      for (cl_uint k = 0; k < launch.arguments.size(); ++k) {
+        if (const auto* array = std::get_if<DeviceArray>(&launch.arguments[k])) {
+          built.kernel.setArg(k, buffers_[*array]);
+        } else {
+          const auto& bytes = std::get<std::vector<std::byte>>(launch.arguments[k]);
+          built.kernel.setArg(k, bytes.size(), bytes.data());
+        }
+      }
+      cl::Event event;
+      queue_.enqueueNDRangeKernel(built.kernel, cl::NullRange, cl::NDRange(launch.global_size),
+                                  cl::NDRange(launch.local_size), nullptr, &event);
+      running_.push_back({built.timing, std::move(event)});
+    });
+  }
+
+  void finish() override {
+    guarded([&] {
+      queue_.finish();
+      for (const auto& [timing, event] : running_) {
+        const cl_ulong begin = event.getProfilingInfo<CL_PROFILING_COMMAND_START>();
+        const cl_ulong end = event.getProfilingInfo<CL_PROFILING_COMMAND_END>();
+        timings_[timing].calls += 1;
+        timings_[timing].seconds += 1e-9 * static_cast<double>(end - begin);
+      }
+      running_.clear();
+    });
+  }
+
+  std::vector<KernelTiming> timings() const override { return timings_; }
+  std::string name() const override { return name_; }
+
+ private:
+  struct BuiltKernel {
+    cl::Kernel kernel;
+    std::size_t timing = 0;  // index into timings_
+  };
+  struct Unit {
+    std::string name;
+    cl::Program program;
+    std::map<std::string, BuiltKernel> kernels;
+  };
+
+  // OpenCL's own errors (no memory, a lost device) become the one kind of error that users see.
+  template <class Call>
+  void guarded(Call call) const {
+    try {
+      call();
+    } catch (const cl::Error& error) {
+      throw_input_error(name_, fmt::format("{} failed with OpenCL error {}", error.what(), error.err()));
+    }
+  }
+
+  BuiltKernel& kernel(const KernelLaunch& launch) {
+    Unit& unit = units_[launch.unit];
+    const auto it = unit.kernels.find(launch.kernel);
+    if (it != unit.kernels.end()) return it->second;
+    const std::string names = unit.program.getInfo<CL_PROGRAM_KERNEL_NAMES>();
+    if ((";" + names + ";").find(";" + launch.kernel + ";") == std::string::npos) {
+      throw_input_error(unit.name, fmt::format("no kernel '{}' there", launch.kernel), names);
+    }
+    BuiltKernel built{cl::Kernel(unit.program, launch.kernel.c_str()), timings_.size()};
+    timings_.push_back({launch.kernel, 0, 0});
+    return unit.kernels.emplace(launch.kernel, std::move(built)).first->second;
+  }
+
+  std::string name_;
+  cl::Device device_;
+  cl::Context context_;
+  cl::CommandQueue queue_;
+  std::vector<Unit> units_;
+  PerArray<cl::Buffer> buffers_;
+  std::vector<std::pair<std::size_t, cl::Event>> running_;  // since the last finish()
+  std::vector<KernelTiming> timings_;
+};
+
+}  // namespace
+
+std::size_t count_opencl_devices() { return find_devices().size(); }
+
+std::unique_ptr<ComputeDevice> open_opencl_device(const std::string& substring, bool needs_fp64) {
+  const FoundDevice found = choose_device(substring);
+  if (needs_fp64 && found.device.getInfo<CL_DEVICE_EXTENSIONS>().find("cl_khr_fp64") == std::string::npos) {
+    throw_input_error("--precision", fmt::format("fp64 on {}, which has no cl_khr_fp64", found.name), "fp32");
+  }
+  return std::make_unique<OpenclDevice>(found);
+}
+
+}  // namespace warpgrain

@@ -1,0 +1,19 @@
+#pragma once
+// An OpenCL device of any platform that the ICD loader finds.
+
+#include <memory>
+#include <string>
+
+#include "variants/compute_device.hpp"
+
+namespace warpgrain {
+
+// The device whose name or platform's name contains `substring`, whatever the case; empty: the first PoCL
+// device, else the first. Throws InputError that lists the devices there are, and when the device cannot
+// compute in double but must.
+std::unique_ptr<ComputeDevice> open_opencl_device(const std::string& substring, bool needs_fp64);
+
+// How many devices there are.
+std::size_t count_opencl_devices();
+
+}  // namespace warpgrain
