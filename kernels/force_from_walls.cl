@@ -34,14 +34,14 @@ KERNEL void force_from_walls(const StepParameters p, CONSTANT const WallLayout* 
 
   for (uint index = 0; index < p.n_walls; ++index) {
     CONSTANT const WallLayout* wall = &walls[index];
+    const real3 normal = make_real3(wall->normal_x, wall->normal_y, wall->normal_z);
     Contact contact;
     if (wall->is_rectangle) {  // branch: rectangle
       const real3 separation = separation_from_rectangle(wall, particle.position);
       const real distance = sqrt(dot(separation, separation));
-      contact.contact_normal = separation / distance;
+      contact.contact_normal = distance > REAL(0.0) ? separation / distance : -normal;
       contact.overlap = particle.radius - distance;
     } else {
-      const real3 normal = make_real3(wall->normal_x, wall->normal_y, wall->normal_z);
       const real3 point = make_real3(wall->point_x, wall->point_y, wall->point_z);
       contact.contact_normal = -normal;
       contact.overlap = particle.radius - dot(particle.position - point, normal);

@@ -84,9 +84,9 @@ class OpenclDevice : public ComputeDevice {
       } catch (const cl::BuildError& error) {
         std::string log = error.getBuildLog().empty() ? std::string() : error.getBuildLog().front().second;
         while (!log.empty() && (log.back() == '\n' || log.back() == '\0')) log.pop_back();
-        throw_input_error(unit.name, fmt::format("does not compile for {}\n{}", name_, log));
+        throw_input_error("kernels", fmt::format("do not compile for {}\n{}", name_, log));
       }
-      units_.push_back({unit.name, program, {}});
+      units_.push_back({program, {}});
     }
   }
 
@@ -141,7 +141,6 @@ class OpenclDevice : public ComputeDevice {
     std::size_t timing = 0;  // index into timings_
   };
   struct Unit {
-    std::string name;
     cl::Program program;
     std::map<std::string, BuiltKernel> kernels;
   };
@@ -162,7 +161,7 @@ class OpenclDevice : public ComputeDevice {
     if (it != unit.kernels.end()) return it->second;
     const std::string names = unit.program.getInfo<CL_PROGRAM_KERNEL_NAMES>();
     if ((";" + names + ";").find(";" + launch.kernel + ";") == std::string::npos) {
-      throw_input_error(unit.name, fmt::format("no kernel '{}' there", launch.kernel), names);
+      throw_input_error("kernels", fmt::format("no kernel '{}'", launch.kernel), names);
     }
     BuiltKernel built{cl::Kernel(unit.program, launch.kernel.c_str()), timings_.size()};
     timings_.push_back({launch.kernel, 0, 0});

@@ -3,6 +3,7 @@
 // that runs OpenCL C.
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <variant>
 #include <vector>
@@ -17,7 +18,6 @@ namespace warpgrain {
 
 // A text that is compiled on its own.
 struct SourceUnit {
-  std::string name;  // its main file, for messages: "kernels/search/cells.cl"
   std::string text;
   std::string build_options;  // as for clBuildProgram
 };
@@ -44,6 +44,10 @@ struct StepPlan {
   std::vector<PlanEntry> integrate;  // step 1 of the paper's flow
   std::vector<PlanEntry> evaluate;   // the rest: the forces at the present positions
 };
+
+// The launches that sort cell_keys [n_keys], ascending: n_keys is a power of two and at least 2 *
+// SORT_WORK_GROUP. `unit` is that of sort_keys.cl.
+std::vector<KernelLaunch> sort_launches(std::size_t unit, std::uint32_t n_keys);
 
 StepPlan make_step_plan(const Scene& scene, const Variant& variant, const DeviceScene& device,
                         const KernelSources& sources);

@@ -1,0 +1,33 @@
+// Every kernel file stands on its own: it compiles with nothing but the headers it includes, in either
+// precision.
+
+#include <cstdlib>
+#include <gtest/gtest.h>
+#include <string>
+
+#include "kernels/embedded_kernels.hpp"
+
+namespace warpgrain {
+namespace {
+
+TEST(EveryKernel, CompilesAlone) {
+  if (std::system("clang-15 --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "no clang-15 here";
+  const std::string folder = WARPGRAIN_SOURCE_DIR "/kernels/";
+  int files = 0;
+  for (const EmbeddedKernel& kernel : embedded_kernels()) {
+    if (!kernel.path.ends_with(".cl")) continue;
+    ++files;
+    for (const char* bits : {"32", "64"}) {
+      // A law's caller and a caller's law are in other files, hence the two warnings left out.
+      const std::string command =
+          "clang-15 -x cl -cl-std=CL1.2 -target nvptx64 -fsyntax-only -Wall -Wextra -Werror "
+          "-Wno-unused-function -Wno-undefined-internal -Wno-unused-parameter -I " +
+          folder + " -D REAL_BITS=" + bits + " " + folder + std::string(kernel.path);
+      EXPECT_EQ(std::system(command.c_str()), 0) << command;
+    }
+  }
+  EXPECT_GT(files, 0);
+}
+
+}  // namespace
+}  // namespace warpgrain

@@ -1,0 +1,165 @@
+#include <algorithm>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <limits>
+#include <numeric>
+
+#include "core/error.hpp"
+#include "random_bed.hpp"
+#include "variants/device_simulation.hpp"
+
+namespace warpgrain {
+namespace {
+
+using testing::HasSubstr;
+
+// Both orders, in the precision whose rounding gives the input back as it was.
+class Order : public testing::TestWithParam<const char*> {
+ protected:
+  std::unique_ptr<Simulation> create(const Scene& scene) const {
+    Variant variant;
+    variant.set("order", GetParam());
+    variant.set("precision", "fp64");
+    return backend("opencl").create(scene, variant, {});
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Device, Order, testing::Values("cell", "unsorted"),
+                         [](const auto& order) { return std::string(order.param); });
+
+void expect_equal(const ParticleState& a, const ParticleState& b) {
+  EXPECT_EQ(a.id, b.id);
+  EXPECT_EQ(a.material, b.material);
+  EXPECT_EQ(a.radius, b.radius);
+  EXPECT_EQ(a.mass, b.mass);
+  EXPECT_EQ(a.position, b.position);
+  EXPECT_EQ(a.velocity, b.velocity);
+  EXPECT_EQ(a.angular_velocity, b.angular_velocity);
+  ASSERT_EQ(a.contact_history.size(), b.contact_history.size());
+  for (std::size_t k = 0; k < a.contact_history.size(); ++k) {
+    EXPECT_EQ(a.contact_history[k].particle_id, b.contact_history[k].particle_id);
+    EXPECT_EQ(a.contact_history[k].partner_id, b.contact_history[k].partner_id);
+    EXPECT_EQ(a.contact_history[k].tangential_displacement, b.contact_history[k].tangential_displacement);
+  }
+}
+
+ParticleState sorted_by_id(const ParticleState& state) {
+  std::vector<std::size_t> order(state.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::ranges::sort(order, {}, [&](std::size_t k) { return state.id[k]; });
+  ParticleState sorted;
+  sorted.contact_history = state.contact_history;
+  for (std::size_t k : order) {
+    sorted.id.push_back(state.id[k]);
+    sorted.material.push_back(state.material[k]);
+    sorted.radius.push_back(state.radius[k]);
+    sorted.mass.push_back(state.mass[k]);
+    sorted.position.push_back(state.position[k]);
+    sorted.velocity.push_back(state.velocity[k]);
+    sorted.angular_velocity.push_back(state.angular_velocity[k]);
+  }
+  return sorted;
+}
+
+TEST_P(Order, GivesTheSceneBackBeforeTheFirstStep) {
+  const Scene bed = random_bed({.n_particles = 1500, .seed = 3});
+  expect_equal(create(bed)->state(), sorted_by_id(bed.particles));
+}
+
+TEST_P(Order, RepeatsItselfBitByBit) {
+  const Scene bed = random_bed({.n_particles = 1500, .seed = 4});
+  const auto first = create(bed), second = create(bed);
+  first->step(20);
+  for (int k = 0; k < 20; ++k) second->step(1);
+  expect_equal(first->state(), second->state());
+  EXPECT_EQ(first->forces().force, second->forces().force);
+  EXPECT_EQ(first->contact_count(), second->contact_count());
+}
+
+// Sums run over partners in the order of (cell, rank), which does not depend on where they stand in memory.
+TEST(DeviceSimulation, OrdersAgreeBitByBit) {
+  const Scene bed = random_bed({.n_particles = 1500, .seed = 5});
+  Variant variant;
+  const auto cell = backend("opencl").create(bed, variant, {});
+  variant.set("order", "unsorted");
+  const auto unsorted = backend("opencl").create(bed, variant, {});
+  cell->step(50);
+  unsorted->step(50);
+  expect_equal(cell->state(), unsorted->state());
+  EXPECT_EQ(cell->forces().torque, unsorted->forces().torque);
+}
+
+TEST_P(Order, ContinuesFromAState) {
+  const Scene bed = random_bed({.n_particles = 1000, .seed = 6});
+  Scene by_id = bed;
+  by_id.particles = sorted_by_id(bed.particles);
+  const auto whole = create(by_id);
+  whole->step(7);
+  Scene half = bed;
+  half.particles = whole->state();
+  const auto continued = create(half);
+  whole->step(7);
+  continued->step(7);
+  expect_equal(whole->state(), continued->state());
+}
+
+std::string message_of(auto&& call) {
+  try {
+    call();
+  } catch (const SimulationError& e) {
+    return e.what();
+  }
+  return "no error";
+}
+
+Scene single_particle() {
+  Scene scene = random_bed({.n_particles = 1, .history = false});
+  scene.walls.clear();
+  scene.gravity.setZero();
+  scene.particles.id = {42};
+  scene.particles.position[0].setZero();
+  scene.domain = {Vector3d::Constant(-0.1), Vector3d::Constant(0.1)};
+  scene.time_step = 1e-3;
+  return scene;
+}
+
+TEST_P(Order, NamesTheParticleThatLeavesTheDomainAndTheStep) {
+  Scene scene = single_particle();
+  scene.particles.velocity[0] = {0, 0, 10.5};  // 0.0105 m a step: outside after the tenth
+  const auto simulation = create(scene);
+  EXPECT_EQ(message_of([&] { simulation->step(1000); }), "step 10: particle 42 left the domain");
+  EXPECT_EQ(message_of([&] { simulation->state(); }), "step 10: particle 42 left the domain");
+  EXPECT_EQ(message_of([&] { simulation->step(1); }), "step 10: particle 42 left the domain");
+}
+
+TEST_P(Order, NamesAParticleThatIsOutsideFromTheStart) {
+  Scene scene = single_particle();
+  scene.particles.position[0] = {0.2, 0, 0};
+  EXPECT_EQ(message_of([&] { create(scene); }), "step 0: particle 42 left the domain");
+}
+
+TEST_P(Order, NamesAParticleThatIsNotANumber) {
+  Scene scene = single_particle();
+  scene.particles.position[0].y() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(message_of([&] { create(scene); }),
+              HasSubstr("step 0: particle 42 has a position or a force that is not"));
+}
+
+TEST_P(Order, NoticesAForceThatIsNotANumberInTheStepOfItsMaking) {
+  Scene scene = random_bed({.n_particles = 2, .history = false});
+  scene.particles.position[1] = scene.particles.position[0];
+  EXPECT_THAT(message_of([&] { create(scene); }), HasSubstr("step 0: particle 10"));
+}
+
+TEST_P(Order, NamesAParticleWithMoreContactsThanSlots) {
+  Scene scene = random_bed({.n_particles = 27, .spacing = 0.8, .history = false});
+  EXPECT_THAT(message_of([&] { create(scene); }), HasSubstr("has more contacts than contact slots"));
+  scene.particles.contact_history.clear();
+  for (std::uint32_t partner = 101; partner < 127; ++partner) {
+    scene.particles.contact_history.push_back({100, partner, Vector3d::Zero()});
+  }
+  EXPECT_THAT(message_of([&] { create(scene); }),
+              HasSubstr("particle 100: its contact history has more than"));
+}
+
+}  // namespace
+}  // namespace warpgrain

@@ -1,0 +1,70 @@
+#include <filesystem>
+#include <fstream>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+#include "variants/kernel_sources.hpp"
+
+namespace warpgrain {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+class KernelFolder : public testing::Test {
+ protected:
+  KernelFolder()
+      : folder_(std::filesystem::path(testing::TempDir()) /
+                testing::UnitTest::GetInstance()->current_test_info()->name()) {
+    std::filesystem::create_directories(folder_);
+  }
+  ~KernelFolder() override { std::filesystem::remove_all(folder_); }
+  void write(const std::string& name, const std::string& text) { std::ofstream(folder_ / name) << text; }
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  static std::string message_of(auto&& call) {
+    try {
+      call();
+    } catch (const InputError& e) {
+      return e.what();
+    }
+    return "accepted";
+  }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(KernelFolder, BundlesTheEmbeddedFilesWithTrueLines) {
+  const std::vector<std::string> files{"integrate.cl"};
+  const std::string text = KernelSources().bundle(files);
+  EXPECT_THAT(text, HasSubstr("#line 1 \"kernels/integrate.cl\"\n"));
+  EXPECT_THAT(text, HasSubstr("#line 1 \"kernels/layout.h\"\n"));
+  EXPECT_THAT(text, HasSubstr("KERNEL void integrate("));
+  EXPECT_THAT(text, Not(HasSubstr("#include \"")));
+}
+
+TEST_F(KernelFolder, ShadowsTheEmbeddedFilesAndIncludesEachOnce) {
+  write("integrate.cl", "first\n#include \"a.h\"\n  #  include \"a.h\"\nlast");
+  write("a.h", "inside\n");
+  const std::vector<std::string> files{"integrate.cl"};
+  EXPECT_EQ(KernelSources(folder_).bundle(files), "#line 1 \"" + path("integrate.cl") +
+                                                      "\"\nfirst\n#line 1 \"" + path("a.h") +
+                                                      "\"\ninside\n#line 3 \"" + path("integrate.cl") +
+                                                      "\"\n#line 4 \"" + path("integrate.cl") + "\"\nlast\n");
+}
+
+TEST_F(KernelFolder, NamesTheLineThatIncludesAMissingFile) {
+  write("integrate.cl", "first\n#include \"gone.h\"\n");
+  const std::vector<std::string> files{"integrate.cl"};
+  EXPECT_EQ(message_of([&] { KernelSources(folder_).bundle(files); }),
+            path("integrate.cl") + ":2: no kernel file 'gone.h'");
+}
+
+TEST_F(KernelFolder, RefusesAFolderThatIsNotThereOrHoldsNoKernel) {
+  EXPECT_THAT(message_of([&] { KernelSources(folder_ / "none"); }), HasSubstr("none: not a folder"));
+  EXPECT_THAT(message_of([&] { KernelSources sources(folder_); }), HasSubstr("no kernel file there"));
+}
+
+}  // namespace
+}  // namespace warpgrain
