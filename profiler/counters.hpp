@@ -11,17 +11,22 @@
 
 namespace warpgrain::profiler {
 
-// Of one kind of memory access, summed over warps.
+// Of one kind of memory access, summed over warps. Generic accesses, whose space only shows as they run,
+// count as global.
 struct MemoryCounters {
-  std::uint64_t requests = 0;        // warp-level requests
-  std::uint64_t sectors = 0;         // 32-byte sectors touched
-  std::uint64_t lines = 0;           // 128-byte lines touched
-  std::uint64_t useful_bytes = 0;    // bytes that lanes asked for
+  std::uint64_t requests = 0;      // warp-level requests
+  std::uint64_t sectors = 0;       // 32-byte sectors touched
+  std::uint64_t lines = 0;         // 128-byte lines touched
+  std::uint64_t useful_bytes = 0;  // bytes that lanes asked for
+
+  void add(const MemoryCounters& other);
+  bool operator==(const MemoryCounters&) const = default;
 };
 
 struct InstructionCount {
   std::uint64_t warp = 0;    // issued, one a warp
   std::uint64_t thread = 0;  // the same, counted per active lane
+  bool operator==(const InstructionCount&) const = default;
 };
 
 struct Totals {
@@ -34,11 +39,14 @@ struct Totals {
   std::array<InstructionCount, n_instruction_classes> instruction_mix{};
   MemoryCounters global_load, global_store, shared_load, shared_store, atomic;
 
-  double active_lanes() const;                              // thread_instructions / warp_instructions; 0 when none
-  double simt_efficiency(std::uint32_t warp_width) const;   // active_lanes / warp_width
-  void add(const Totals& other);                            // element by element
+  double active_lanes() const;  // thread_instructions / warp_instructions; 0 when none
+  double simt_efficiency(std::uint32_t warp_width) const;  // active_lanes / warp_width
+  void add(const Totals& other);                           // element by element, of the same warp width
+  bool operator==(const Totals&) const = default;
 };
 
+// The lines sum up to the launch's totals; instructions that the compiler gave no line count under file "",
+// line 0.
 struct LineTotals {
   std::string file;
   std::uint32_t line = 0;
@@ -56,14 +64,15 @@ struct BlockTotals {
 struct BranchTotals {
   std::string file;
   std::uint32_t line = 0;
-  std::string label;               // `// branch: NAME` at the end of the source line, else the line's text
+  std::string label;  // `// branch: NAME` at the end of the source line, else the line's text
   std::uint32_t block = 0;
-  std::uint64_t executions = 0;    // per warp
-  std::uint64_t divergent = 0;     // of these, lanes disagreed
-  std::uint64_t lanes = 0;         // lanes that executed it
-  std::uint64_t taken_lanes = 0;   // of these, took the first successor
-  // Lane slots (a lane of an issued warp instruction) in which a lane idled because this branch had parted it from the
-  // lanes that ran. The sum over branches plus `lane_slots_never_used` is width * warp_instructions - thread_instructions.
+  std::uint64_t executions = 0;   // per warp
+  std::uint64_t divergent = 0;    // of these, lanes disagreed
+  std::uint64_t lanes = 0;        // lanes that executed it
+  std::uint64_t taken_lanes = 0;  // of these, took the first successor
+  // Lane slots (a lane of an issued warp instruction) in which a lane idled because this branch had parted it
+  // from the lanes that ran. The sum over branches plus `lane_slots_never_used` is width * warp_instructions
+  // - thread_instructions.
   std::uint64_t lane_slots_lost = 0;
 };
 
@@ -74,9 +83,9 @@ struct LaunchCounters {
   std::string policy;
   std::uint64_t warps = 0;
   Totals totals;
-  std::vector<LineTotals> lines;        // sorted by file, line
-  std::vector<BlockTotals> blocks;      // every block, in order
-  std::vector<BranchTotals> branches;   // by lane_slots_lost, largest first
+  std::vector<LineTotals> lines;            // sorted by file, line
+  std::vector<BlockTotals> blocks;          // every block, in order
+  std::vector<BranchTotals> branches;       // by lane_slots_lost, largest first
   std::uint64_t lane_slots_never_used = 0;  // warps that are not full from the start
 };
 

@@ -10,35 +10,38 @@
 
 #include "profiler/counters.hpp"
 #include "profiler/executable.hpp"
+#include "profiler/merge_policy.hpp"
+#include "profiler/observers/warp_observer.hpp"
 
 namespace warpgrain::profiler {
-
-// How lanes that parted come together again; architecture in merge.hpp.
-enum class MergePolicy : std::uint8_t { loop_postdom, ipdom, min_pc };
-std::string_view merge_policy_name(MergePolicy policy);
 
 struct ProfileOptions {
   MergePolicy policy = MergePolicy::loop_postdom;
   std::uint32_t warp_width = 32;  // 4 to 64, a power of two
   bool addresses = true;          // record addresses: sectors and lines
   unsigned threads = 0;           // worker threads, 0 = all cores
-  std::function<void(double fraction)> progress;  // called now and then from one thread; may be empty
+  // Called now and then from one thread.
+  std::function<void(double fraction)> progress = {};
+  // What the compiler calls `source`, so that lines of other files get no labels from it.
+  std::string source_name = {};
+  // Sees every event, in order; then one thread runs, and slower.
+  WarpObserver* observer = nullptr;
 };
 
 // Provenance and counters of one launch: what a report holds for it.
 struct LaunchProfile {
   LaunchCounters counters;
-  std::string source;        // the text that was compiled
+  std::string source;  // the text that was compiled
   std::string source_name;
-  std::string ptx;           // the PTX that was run
+  std::string ptx;  // the PTX that was run
   std::string compiler, compile_command;
   double compile_seconds = 0, run_seconds = 0;
 };
 
-// Runs every work-group of the launch (the buffers end up as the kernel leaves them) and merges its lanes warp by warp;
-// traces are dropped as soon as they are counted. `source` serves the branch labels; it may be empty. The counters do not
-// depend on `threads`. Work-groups run one after another or side by side, so kernels that need one group to wait for
-// another are not carried.
+// Runs every work-group of the launch (the buffers end up as the kernel leaves them) and merges its lanes
+// warp by warp; traces are dropped as soon as they are counted. `source` serves the branch labels; it may be
+// empty. The counters do not depend on `threads`. Work-groups run one after another or side by side, so
+// kernels that need one group to wait for another are not carried.
 LaunchCounters profile_launch(const Executable& executable, const LaunchShape& shape,
                               std::span<const KernelArgument> arguments, std::string_view source,
                               const ProfileOptions& options = {});

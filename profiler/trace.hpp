@@ -13,10 +13,11 @@ inline constexpr BlockIndex trace_end = 0xFFFF;
 // straight-line code).
 inline constexpr std::uint64_t no_address = 0;
 
-// `blocks` holds the recorded blocks in order, then trace_end. `addresses` holds BasicBlock::accesses.size()
-// entries for each block run, recorded or not; null when addresses were not asked for. A lane that does not
-// exist (the last warp of a work-group whose size is no multiple of the width) has null `blocks`. Device
-// buffers are 256-byte aligned as on a GPU, so `address / 32` is the sector.
+// `blocks` holds the recorded blocks in order, then trace_end; three more entries can be read (they mean
+// nothing), so that readers may take four at a time. `addresses` holds BasicBlock::accesses.size() entries
+// for each block run, recorded or not; null when addresses were not asked for. A lane that does not exist
+// (the last warp of a work-group whose size is no multiple of the width) has null `blocks`. Device buffers
+// are 256-byte aligned as on a GPU, so `address / 32` is the sector.
 struct LaneTrace {
   const BlockIndex* blocks = nullptr;
   const std::uint64_t* addresses = nullptr;

@@ -1,0 +1,100 @@
+#include "profiler/coalescing.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace warpgrain::profiler {
+namespace {
+
+constexpr std::uint64_t sectors_per_line = line_bytes / sector_bytes;
+
+// Distinct values among ids[0..n): all pairs are compared, one distance at a time, which compilers turn into
+// vector code that beats a hash table at these sizes. Entries of `padded` before ids match nothing.
+class DistinctCounter {
+ public:
+  void clear() { n_ = 0; }
+  void append(std::uint32_t id) {
+    // Neighbouring lanes mostly repeat each other.
+    ids()[n_] = id;
+    n_ += n_ == 0 || ids()[n_ - 1] != id;
+  }
+  std::uint32_t count() {
+    std::array<std::uint32_t, max_request_lanes> seen_before{};
+    const std::uint32_t* id = ids();
+    const std::size_t padded_n = (n_ + 7) / 8 * 8;
+    for (std::size_t distance = 1; distance < n_; ++distance)
+      for (std::size_t i = 0; i < padded_n; ++i) seen_before[i] |= id[i] == *(id + i - distance) ? 1U : 0U;
+    std::uint32_t repeated = 0;
+    for (std::size_t i = 0; i < n_; ++i) repeated += seen_before[i];
+    return static_cast<std::uint32_t>(n_) - repeated;
+  }
+
+ private:
+  static constexpr std::uint32_t no_id = std::numeric_limits<std::uint32_t>::max();
+  std::uint32_t* ids() { return padded_.data() + max_request_lanes; }
+  std::array<std::uint32_t, 2 * max_request_lanes> padded_ = [] {
+    std::array<std::uint32_t, 2 * max_request_lanes> a{};
+    a.fill(no_id);
+    return a;
+  }();
+  std::size_t n_ = 0;
+};
+
+// For straddling accesses and addresses that lie far apart: no assumption at all.
+RequestFootprint any_footprint(std::span<const std::uint64_t> addresses, std::uint32_t bytes) {
+  std::vector<std::uint64_t> sectors;
+  for (std::uint64_t address : addresses)
+    for (std::uint64_t s = address / sector_bytes; s <= (address + bytes - 1) / sector_bytes; ++s)
+      sectors.push_back(s);
+  const auto distinct = [&] {
+    std::sort(sectors.begin(), sectors.end());
+    sectors.erase(std::unique(sectors.begin(), sectors.end()), sectors.end());
+    return static_cast<std::uint32_t>(sectors.size());
+  };
+  RequestFootprint result;
+  result.sectors = distinct();
+  for (std::uint64_t& s : sectors) s /= sectors_per_line;
+  result.lines = distinct();
+  return result;
+}
+
+}  // namespace
+
+RequestFootprint request_footprint(std::span<const std::uint64_t> addresses, std::uint32_t bytes) {
+  std::array<std::uint64_t, max_request_lanes> sector;
+  std::uint64_t straddles = 0, descends = 0, lowest = std::numeric_limits<std::uint64_t>::max(), highest = 0;
+  std::uint64_t before = 0;
+  RequestFootprint ascending;
+  for (std::size_t i = 0; i < addresses.size(); ++i) {
+    const std::uint64_t s = addresses[i] / sector_bytes;
+    sector[i] = s;
+    straddles |= s ^ ((addresses[i] + bytes - 1) / sector_bytes);
+    descends |= static_cast<std::uint64_t>(s < before);
+    ascending.sectors += static_cast<std::uint32_t>(i == 0 || s != before);
+    ascending.lines +=
+        static_cast<std::uint32_t>(i == 0 || s / sectors_per_line != before / sectors_per_line);
+    lowest = std::min(lowest, s);
+    highest = std::max(highest, s);
+    before = s;
+  }
+  // Lines, not sectors, start the range, so that a sector's distance tells its line.
+  lowest -= lowest % sectors_per_line;
+  if (straddles != 0 || highest - lowest >= std::numeric_limits<std::uint32_t>::max())
+    return any_footprint(addresses, bytes);
+  if (descends == 0) return ascending;
+  RequestFootprint result;
+  DistinctCounter distinct;
+  for (std::size_t i = 0; i < addresses.size(); ++i)
+    distinct.append(static_cast<std::uint32_t>(sector[i] - lowest));
+  result.sectors = distinct.count();
+  distinct.clear();
+  for (std::size_t i = 0; i < addresses.size(); ++i)
+    distinct.append(static_cast<std::uint32_t>((sector[i] - lowest) / sectors_per_line));
+  result.lines = distinct.count();
+  return result;
+}
+
+}  // namespace warpgrain::profiler

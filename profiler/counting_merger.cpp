@@ -1,0 +1,249 @@
+// The fast merger: the same sums as the plain one in merge.cpp, which the tests hold it to.
+//
+// What makes it fast: lanes of a group are packed, so that loops over them are short; the next four blocks of
+// all lanes are compared in one pass, so that a group that stays together mostly costs one table look-up a
+// block; waiting groups are kept in order of their place, so that one comparison says whether the running
+// group goes on; instructions and idle lanes are counted per stretch that a group runs, not per block.
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
+#include <limits>
+#include <vector>
+
+#include "profiler/coalescing.hpp"
+#include "profiler/merge.hpp"
+#include "profiler/partings.hpp"
+#include "profiler/reconvergence.hpp"
+
+namespace warpgrain::profiler {
+namespace {
+
+constexpr std::uint32_t no_rank = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t entries_ahead = sizeof(std::uint64_t) / sizeof(BlockIndex);
+
+class CountingMerger : public WarpMerger {
+ public:
+  CountingMerger(const KernelGraph& graph, MergePolicy policy, WarpCounters& counters)
+      : counters_(counters), partings_(counters.lane_slots_lost) {
+    const Reconvergence reconvergence = find_reconvergence(graph);
+    for (std::uint32_t b = 0; b < graph.blocks.size(); ++b) {
+      const BasicBlock& block = graph.blocks[b];
+      Step step;
+      step.rank = reconvergence.rank[b];
+      step.join = policy == MergePolicy::min_pc || reconvergence.join[b];
+      step.instructions = static_cast<std::uint32_t>(block.instructions.size());
+      step.n_accesses = static_cast<std::uint32_t>(block.accesses.size());
+      step.first_access = static_cast<std::uint32_t>(access_bytes_.size());
+      step.n_successors = static_cast<std::uint32_t>(block.successors.size());
+      if (!block.successors.empty()) step.first_successor = block.successors[0];
+      step.chained = block.successors.size() == 1 && !graph.blocks[block.successors[0]].recorded;
+      steps_.push_back(step);
+      for (const MemoryAccess& access : block.accesses) access_bytes_.push_back(access.bytes);
+    }
+  }
+
+  void merge(std::span<const LaneTrace> traces) override {
+    std::uint64_t lanes = 0;
+    for (std::size_t lane = 0; lane < traces.size(); ++lane) {
+      if (traces[lane].blocks == nullptr) continue;
+      lanes |= std::uint64_t{1} << lane;
+      blocks_[lane] = traces[lane].blocks + 1;  // the first is the entry
+      addresses_[lane] = traces[lane].addresses;
+    }
+    if (lanes == 0) return;
+    ++counters_.warps;
+    with_addresses_ = addresses_[static_cast<std::size_t>(std::countr_zero(lanes))] != nullptr;
+    n_partings_ = 0;
+    const std::uint64_t width_mask = std::numeric_limits<std::uint64_t>::max() >> (64 - counters_.warp_width);
+    wait({lanes, 0, steps_[0].rank, partings_.root(counters_.never_used(), width_mask & ~lanes)});
+    while (n_waiting_ != 0) run(waiting_[--n_waiting_]);
+  }
+
+ private:
+  struct Step {  // what merging needs to know of a block
+    std::uint32_t rank = 0;
+    std::uint32_t instructions = 0;
+    std::uint32_t n_accesses = 0, first_access = 0;
+    std::uint32_t n_successors = 0, first_successor = 0;
+    bool join = false;
+    bool chained = false;  // goes to its only successor, and that is not recorded
+  };
+  struct Group {
+    std::uint64_t lanes;
+    std::uint32_t block, rank;
+    Partings::Node node;
+  };
+
+  // Runs a group until it reaches another one's place, parts, or ends.
+  void run(const Group group) {
+    load(group.lanes);
+    const std::uint32_t bound = n_waiting_ == 0 ? no_rank : waiting_[n_waiting_ - 1].rank;
+    std::uint64_t* const executions = counters_.block_executions.data() + n_lanes_;
+    const std::size_t stride = counters_.warp_width + 1;
+    std::uint64_t instructions = 0;
+    std::uint32_t ahead = 0;  // entries of the traces that are known to be the same for all
+    std::uint32_t block = group.block;
+    for (;;) {
+      const Step& step = steps_[block];
+      ++executions[block * stride];
+      instructions += step.instructions;
+      if (with_addresses_ && step.n_accesses != 0) count_accesses(step);
+      if (step.n_successors == 0) {
+        partings_.issue(group.node, instructions);
+        partings_.release(group.node);
+        return;
+      }
+      std::uint32_t next = step.first_successor;
+      if (!step.chained) {
+        if (ahead == 0) ahead = common_entries();
+        if (ahead == 0) {
+          partings_.issue(group.node, instructions);
+          part(group, block);
+          return;
+        }
+        --ahead;
+        next = lane_blocks_[0][n_read_++];
+        if (step.n_successors > 1 && next == step.first_successor) counters_.taken_lanes[block] += n_lanes_;
+      }
+      const Step& next_step = steps_[next];
+      if (next_step.rank > bound || (next_step.rank == bound && next_step.join)) {
+        partings_.issue(group.node, instructions);
+        store();
+        wait({group.lanes, next, next_step.rank, group.node});
+        return;
+      }
+      block = next;
+    }
+  }
+
+  // Packs the lanes of a group.
+  void load(std::uint64_t lanes) {
+    n_lanes_ = 0;
+    n_read_ = 0;
+    n_addresses_read_ = 0;
+    for (; lanes != 0; lanes &= lanes - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
+      lane_[n_lanes_] = lane;
+      lane_blocks_[n_lanes_] = blocks_[lane];
+      lane_addresses_[n_lanes_] = addresses_[lane];
+      ++n_lanes_;
+    }
+  }
+
+  void store() {
+    for (std::uint32_t i = 0; i < n_lanes_; ++i) {
+      blocks_[lane_[i]] += n_read_;
+      if (with_addresses_) addresses_[lane_[i]] += n_addresses_read_;
+    }
+  }
+
+  // How many of the next four entries are the same for all lanes.
+  std::uint32_t common_entries() const {
+    std::uint64_t first, differences = 0;
+    std::memcpy(&first, lane_blocks_[0] + n_read_, sizeof first);
+    for (std::uint32_t i = 1; i < n_lanes_; ++i) {
+      std::uint64_t entries;
+      std::memcpy(&entries, lane_blocks_[i] + n_read_, sizeof entries);
+      differences |= entries ^ first;
+    }
+    static_assert(std::endian::native == std::endian::little, "the first entry is expected in the low bits");
+    return static_cast<std::uint32_t>(std::countr_zero(differences)) / (8 * sizeof(BlockIndex));
+  }
+
+  // The lanes of the group go different ways from `block`.
+  void part(const Group& group, std::uint32_t block) {
+    ++counters_.divergent[block];
+    ++n_partings_;
+    const std::uint32_t at = n_read_++;
+    store();
+    for (std::uint64_t left = group.lanes; left != 0;) {
+      // The lowest lane that is left, and all that go with it.
+      const std::uint32_t to = blocks_[static_cast<std::size_t>(std::countr_zero(left))][-1];
+      std::uint64_t lanes = 0;
+      for (std::uint32_t i = 0; i < n_lanes_; ++i)
+        lanes |= std::uint64_t{lane_blocks_[i][at] == to} << lane_[i];
+      left &= ~lanes;
+      if (to == steps_[block].first_successor)
+        counters_.taken_lanes[block] += static_cast<std::uint64_t>(std::popcount(lanes));
+      wait(
+          {lanes, to, steps_[to].rank, partings_.part(group.node, block, group.lanes & ~lanes, n_partings_)});
+    }
+    partings_.release(group.node);
+  }
+
+  // Puts a group among those that wait, or into the one that waits where it is going to join. The lowest
+  // comes last.
+  void wait(const Group& group) {
+    std::uint32_t place = n_waiting_;
+    while (place != 0 && waiting_[place - 1].rank < group.rank) --place;
+    if (place != 0 && waiting_[place - 1].rank == group.rank && steps_[group.block].join) {
+      Group& other = waiting_[place - 1];
+      other.lanes |= group.lanes;
+      other.node = partings_.join(other.node, group.node, other.lanes);
+      return;
+    }
+    for (std::uint32_t i = n_waiting_; i > place; --i) waiting_[i] = waiting_[i - 1];
+    waiting_[place] = group;
+    ++n_waiting_;
+  }
+
+  void count_accesses(const Step& step) {
+    for (std::uint32_t k = 0; k < step.n_accesses; ++k, ++n_addresses_read_) {
+      std::array<std::uint64_t, max_warp_width> addresses;
+      std::size_t n = 0;
+      for (std::uint32_t i = 0; i < n_lanes_; ++i) {
+        addresses[n] = lane_addresses_[i][n_addresses_read_];
+        n += addresses[n] != no_address ? 1 : 0;
+      }
+      count_request(counters_.accesses[step.first_access + k], std::span(addresses).first(n),
+                    access_bytes_[step.first_access + k]);
+    }
+  }
+
+  WarpCounters& counters_;
+  Partings partings_;
+  std::vector<Step> steps_;                  // [n_blocks]
+  std::vector<std::uint32_t> access_bytes_;  // of each access, as WarpCounters::accesses
+  bool with_addresses_ = false;
+  std::uint64_t n_partings_ = 0;
+
+  // What each lane reads next, [warp_width].
+  std::array<const BlockIndex*, max_warp_width> blocks_{};
+  std::array<const std::uint64_t*, max_warp_width> addresses_{};
+
+  // The running group, packed: lane numbers and what they read first; n_read_ entries further they are now.
+  std::uint32_t n_lanes_ = 0;
+  std::array<std::uint32_t, max_warp_width> lane_{};
+  std::array<const BlockIndex*, max_warp_width> lane_blocks_{};
+  std::array<const std::uint64_t*, max_warp_width> lane_addresses_{};
+  std::size_t n_read_ = 0, n_addresses_read_ = 0;
+
+  // By rank, highest first; of the same rank, the one that came last is the last.
+  std::array<Group, max_warp_width> waiting_{};
+  std::uint32_t n_waiting_ = 0;
+};
+
+// For the policy that the fast way does not know.
+class ObservedCountingMerger : public WarpMerger {
+ public:
+  ObservedCountingMerger(const KernelGraph& graph, MergePolicy policy, WarpCounters& counters)
+      : observer_(graph, counters),
+        merger_(make_observed_merger(graph, policy, counters.warp_width, observer_)) {}
+  void merge(std::span<const LaneTrace> traces) override { merger_->merge(traces); }
+
+ private:
+  WarpCounterObserver observer_;
+  std::unique_ptr<WarpMerger> merger_;
+};
+
+}  // namespace
+
+std::unique_ptr<WarpMerger> make_counting_merger(const KernelGraph& graph, MergePolicy policy,
+                                                 WarpCounters& counters) {
+  if (policy == MergePolicy::ipdom) return std::make_unique<ObservedCountingMerger>(graph, policy, counters);
+  return std::make_unique<CountingMerger>(graph, policy, counters);
+}
+
+}  // namespace warpgrain::profiler

@@ -1,0 +1,19 @@
+#include "profiler/observers/blocks.hpp"
+
+#include <numeric>
+
+namespace warpgrain::profiler {
+
+std::vector<BlockTotals> block_totals(const KernelGraph& graph, const WarpCounters& counters) {
+  std::vector<BlockTotals> result;
+  for (std::uint32_t b = 0; b < graph.blocks.size(); ++b) {
+    const auto executions = counters.executions(b);
+    result.push_back({b,
+                      graph.blocks[b].label,
+                      std::accumulate(executions.begin(), executions.end(), std::uint64_t{0}),
+                      {executions.begin(), executions.end()}});
+  }
+  return result;
+}
+
+}  // namespace warpgrain::profiler
