@@ -4,12 +4,13 @@
 #include <array>
 
 #include "core/error.hpp"
+#include "variants/backend_host.hpp"
 #include "variants/backend_opencl.hpp"
 
 namespace warpgrain {
 
 std::span<const Backend> backends() {
-  static const std::array<Backend, 1> table{opencl_backend};
+  static const std::array<Backend, 2> table{host_backend, opencl_backend};
   return table;
 }
 

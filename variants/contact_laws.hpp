@@ -10,10 +10,10 @@
 
 namespace warpgrain {
 
-// Largest deviation from the double reference in one force evaluation: of a force as a part of the largest
-// force in the bed, of a torque as a part of the largest force times the largest radius, of a tangential
-// displacement as a part of the largest one or of the distance that the fastest contact slides in a step,
-// whichever is larger.
+// Largest deviation from the double reference in one evaluation of the same state, as a part of the largest
+// force in the bed: of a force; of a torque over the largest radius; of a tangential displacement times the
+// contact's tangential stiffness. In float it is the rounding of the overlap, a difference of lengths far
+// larger than itself.
 struct ErrorBounds {
   double fp32 = 0, fp64 = 0;
 };

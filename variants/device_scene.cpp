@@ -8,6 +8,7 @@
 #include <span>
 #include <unordered_map>
 
+#include "core/collision_grid.hpp"
 #include "core/error.hpp"
 #include "kernels/layout.h"
 #include "variants/contact_laws.hpp"
@@ -24,38 +25,22 @@ std::vector<std::byte> bytes_of(std::span<const T> values) {
   return {bytes.begin(), bytes.end()};
 }
 
-struct Grid {
-  double cell_size = 0;
-  std::array<std::uint32_t, 3> cells{};
-};
-
-// Cells a little larger than the largest diameter: a particle may be rounded into the cell beside its own,
-// and its partners must still be at most one cell away. In float that needs eps * cells along an axis << the
-// margin, hence the bound on their number; the bound on their product keeps sparse scenes from clearing cells
-// for nothing.
-Grid make_grid(const Scene& scene, double largest_radius) {
-  constexpr double margin = 1e-3;
-  constexpr double most_along_an_axis = 2048;
+// The cells of core's grid, with two more bounds on them. A little larger than the largest diameter: a
+// particle may be rounded into the cell beside its own, and its partners must still be at most one cell away,
+// which in float needs eps * cells along an axis << the margin. And not so many that a sparse scene's step is
+// spent on clearing cells.
+GridGeometry device_grid(const Scene& scene) {
+  constexpr double margin = 1e-3, most_along_an_axis = 2048;
   const double most_cells = std::max(4096.0, 64.0 * static_cast<double>(scene.particles.size()));
   const Vector3d size = scene.domain.upper - scene.domain.lower;
-  if (!size.allFinite() || (size.array() <= 0).any()) {
-    throw_input_error("scene: domain", fmt::format("[{}, {}, {}] m large", size.x(), size.y(), size.z()),
-                      "a finite box with a volume");
-  }
-  Grid grid;
-  grid.cell_size = std::max(2 * largest_radius * (1 + margin), size.maxCoeff() / most_along_an_axis);
-  const auto n_cells = [&] { return (size / grid.cell_size).array().ceil().max(1).prod(); };
-  while (n_cells() > most_cells) grid.cell_size *= 1.1;
-  for (int axis = 0; axis < 3; ++axis) {
-    grid.cells[axis] = static_cast<std::uint32_t>(std::max(1.0, std::ceil(size[axis] / grid.cell_size)));
-  }
-  return grid;
+  const double edge = std::max({2 * std::ranges::max(scene.particles.radius) * (1 + margin),
+                                size.maxCoeff() / most_along_an_axis, std::cbrt(size.prod() / most_cells)});
+  return make_grid_geometry(scene.domain, edge, scene.particles.size());
 }
 
-// In units of the precision, which rounds outwards what the domain's bounds must not lose.
 template <class real>
 layout::StepParameters<real> step_parameters(const Scene& scene, const DeviceScene& device,
-                                             const Grid& grid) {
+                                             const GridGeometry& grid) {
   const auto r = [](double value) { return static_cast<real>(value); };
   const Vector3d &lower = scene.domain.lower, &upper = scene.domain.upper, &gravity = scene.gravity;
   const SimpleParameters& simple = scene.model.simple;
@@ -69,7 +54,7 @@ layout::StepParameters<real> step_parameters(const Scene& scene, const DeviceSce
           .upper_x = r(upper.x()),
           .upper_y = r(upper.y()),
           .upper_z = r(upper.z()),
-          .inverse_cell_size = r(1 / grid.cell_size),
+          .inverse_cell_size = r(1 / grid.cell_edge),
           .k_spring = r(simple.k_spring),
           .k_damping = r(simple.k_damping),
           .k_shear = r(simple.k_shear),
@@ -77,9 +62,9 @@ layout::StepParameters<real> step_parameters(const Scene& scene, const DeviceSce
           .n_keys = device.n_keys,
           .n_materials = static_cast<std::uint32_t>(scene.contacts.n_materials()),
           .n_walls = static_cast<std::uint32_t>(scene.walls.size()),
-          .cells_x = grid.cells[0],
-          .cells_y = grid.cells[1],
-          .cells_z = grid.cells[2]};
+          .cells_x = grid.n_cells[0],
+          .cells_y = grid.n_cells[1],
+          .cells_z = grid.n_cells[2]};
 }
 
 template <class real>
@@ -180,7 +165,7 @@ void lay_out_history(const ParticleState& particles, DeviceScene& device) {
 }
 
 template <class real>
-void fill(const Scene& scene, const Grid& grid, DeviceScene& device) {
+void fill(const Scene& scene, const GridGeometry& grid, DeviceScene& device) {
   using enum DeviceArray;
   const ParticleState& particles = scene.particles;
   const layout::StepParameters<real> parameters = step_parameters<real>(scene, device, grid);
@@ -256,8 +241,8 @@ DeviceScene lay_out(const Scene& scene, const Variant& variant) {
   device.contact_slots = device.keeps_history ? contact_slots_for(particles) : 0;
   device.n_particles = static_cast<std::uint32_t>(particles.size());
   device.n_keys = std::max<std::uint32_t>(2 * SORT_WORK_GROUP, std::bit_ceil(device.n_particles));
-  const Grid grid = make_grid(scene, std::ranges::max(particles.radius));
-  device.n_cells = grid.cells[0] * grid.cells[1] * grid.cells[2];
+  const GridGeometry grid = device_grid(scene);
+  device.n_cells = static_cast<std::uint32_t>(grid.cell_count());
   if (device.is_fp64) {
     fill<double>(scene, grid, device);
   } else {

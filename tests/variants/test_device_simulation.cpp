@@ -102,6 +102,42 @@ TEST_P(Order, ContinuesFromAState) {
   expect_equal(whole->state(), continued->state());
 }
 
+// Long enough for contacts to begin, slip and end; short enough that rounding has not grown.
+TEST_P(Order, FollowsTheReferenceOverAStretch) {
+  const Scene bed = random_bed({.n_particles = 500, .seed = 8});
+  const auto simulation = create(bed);
+  Variant variant;
+  variant.set("precision", "fp64");
+  const auto reference = backend("host").create(bed, variant, {});
+  simulation->step(100);
+  reference->step(100);
+  const ParticleState state = simulation->state(), expected = reference->state();
+  EXPECT_EQ(simulation->steps_done(), 100u);
+  EXPECT_NE(reference->contact_count(), backend("host").create(bed, variant, {})->contact_count());
+  EXPECT_EQ(simulation->contact_count(), reference->contact_count());
+  for (std::size_t k = 0; k < state.size(); ++k) {
+    ASSERT_EQ(state.id[k], expected.id[k]);
+    EXPECT_LE((state.position[k] - expected.position[k]).norm(), 1e-12);
+    EXPECT_LE((state.velocity[k] - expected.velocity[k]).norm(), 1e-8);
+    EXPECT_LE((state.angular_velocity[k] - expected.angular_velocity[k]).norm(), 1e-5);
+  }
+}
+
+TEST(DeviceSimulation, TimesEveryKernelOfTheFlow) {
+  const auto simulation = backend("opencl").create(random_bed({.n_particles = 3000}), Variant(), {});
+  simulation->step(5);
+  std::vector<std::string> kernels;
+  for (const KernelTiming& timing : simulation->timings()) {
+    kernels.push_back(timing.kernel);
+    EXPECT_GE(timing.calls, 5u);
+    EXPECT_GT(timing.seconds, 0);
+  }
+  EXPECT_THAT(kernels,
+              testing::UnorderedElementsAre("integrate", "map_particles", "sort_blocks", "merge_stride",
+                                            "merge_blocks", "reorder_particles", "clear_cells", "find_cells",
+                                            "force_between_particles", "force_from_walls"));
+}
+
 std::string message_of(auto&& call) {
   try {
     call();

@@ -1,0 +1,144 @@
+// What every variant must satisfy on every back end, written once: one evaluation of forces, torques and
+// contact history on fresh random beds against the double reference, within the bound that the law's row in
+// contact_laws.cpp states.
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <map>
+#include <string>
+
+#include "core/reference_forces.hpp"
+#include "core/wall.hpp"
+#include "random_bed.hpp"
+#include "variants/backend.hpp"
+#include "variants/contact_laws.hpp"
+#include "variants/device_scene.hpp"
+
+namespace warpgrain {
+namespace {
+
+struct Case {
+  const Backend* backend;
+  Variant variant;
+};
+
+std::vector<Case> every_case() {
+  std::vector<Case> cases;
+  for (const Backend& backend : backends()) {
+    for (const Variant& variant : all_variants()) cases.push_back({&backend, variant});
+  }
+  return cases;
+}
+
+double largest(const std::vector<Vector3d>& vectors) {
+  double norm = 0;
+  for (const Vector3d& v : vectors) norm = std::max(norm, v.norm());
+  return norm;
+}
+
+double largest_difference(const std::vector<Vector3d>& a, const std::vector<Vector3d>& b) {
+  EXPECT_EQ(a.size(), b.size());
+  double norm = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    // Written so that a NaN is not passed over.
+    const double difference = (a[k] - b[k]).norm();
+    if (!(difference <= norm)) norm = difference;
+  }
+  return norm;
+}
+
+// What the tangential spring of each record exerts, k_t delta_t (eqs. 4 and 9): the displacement itself grows
+// without bound in slipping contacts that barely touch, and so does its rounding, while their springs fade.
+std::vector<Vector3d> spring_forces(const Scene& scene, const ParticleState& state,
+                                    const ContactHistory& history) {
+  std::map<std::uint32_t, std::size_t> index;
+  for (std::size_t k = 0; k < state.size(); ++k) index[state.id[k]] = k;
+  std::vector<Vector3d> forces;
+  for (const ContactRecord& record : history) {
+    const std::size_t i = index.at(record.particle_id);
+    double overlap = 0, effective_radius = state.radius[i];
+    std::uint32_t material = 0;
+    if ((record.partner_id & wall_partner_bit) != 0) {
+      const Wall& wall = scene.walls[record.partner_id & ~wall_partner_bit];
+      overlap = state.radius[i] - wall_proximity(wall, state.position[i]).distance;
+      material = wall.material;
+    } else {
+      const std::size_t j = index.at(record.partner_id);
+      overlap = state.radius[i] + state.radius[j] - (state.position[i] - state.position[j]).norm();
+      effective_radius = 1 / (1 / state.radius[i] + 1 / state.radius[j]);
+      material = state.material[j];
+    }
+    const double stiffness = scene.contacts.at(state.material[i], material).tangential_parameter *
+                             std::sqrt(std::max(overlap, 0.0) * effective_radius);
+    forces.push_back(stiffness * record.tangential_displacement);
+  }
+  return forces;
+}
+
+std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs(const ContactHistory& history) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> ids;
+  for (const ContactRecord& record : history) ids.emplace_back(record.particle_id, record.partner_id);
+  return ids;
+}
+
+class Conformance : public testing::TestWithParam<Case> {
+ protected:
+  // Compares the forces at the present state, then, over a step, the history that their evaluation left.
+  void expect_agreement(Scene scene) {
+    const Case& c = GetParam();
+    const ContactLaw& law = contact_law(c.variant);
+    const double bound =
+        c.variant.value(AxisId::precision) == "fp64" ? law.error_bounds.fp64 : law.error_bounds.fp32;
+    const auto simulation = c.backend->create(scene, c.variant, {});
+    scene.model.contact = law.model;
+    const double radius = std::ranges::max(scene.particles.radius);
+    const ReferenceOptions options{.threads = 1, .contact_slots = contact_slots_for(scene.particles)};
+    for (int evaluation = 0; evaluation < 2; ++evaluation) {
+      const ParticleState state = simulation->state();
+      const ForceEvaluation expected = evaluate_forces(scene, state, scene.time_step, options);
+      const ForceState forces = simulation->forces();
+      const double scale = largest(expected.forces.force);
+      EXPECT_LE(largest_difference(forces.force, expected.forces.force) / scale, bound);
+      EXPECT_LE(largest_difference(forces.torque, expected.forces.torque) / (scale * radius), bound);
+      EXPECT_EQ(simulation->contact_count(), expected.contact_count);
+      simulation->step(1);
+      const ContactHistory after = simulation->state().contact_history;
+      ASSERT_EQ(pairs(after), pairs(expected.contact_history));
+      EXPECT_LE(largest_difference(spring_forces(scene, state, after),
+                                   spring_forces(scene, state, expected.contact_history)) /
+                    scale,
+                bound);
+    }
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(EveryVariant, Conformance, testing::ValuesIn(every_case()), [](const auto& c) {
+  std::string name = std::string(c.param.backend->name) + '_' + c.param.variant.name();
+  std::ranges::replace(name, '/', '_');
+  return name;
+});
+
+TEST_P(Conformance, AgreesWithTheDoubleReference) {
+  const Case& c = GetParam();
+  if (const std::string lack = c.backend->lacks(); !lack.empty()) GTEST_SKIP() << lack;
+  std::uint64_t seed = 1;
+  for (const SlipHistory slip :
+       {SlipHistory::clip, SlipHistory::paper, SlipHistory::lammps, SlipHistory::liggghts}) {
+    for (const NormalForce normal : {NormalForce::signed_, NormalForce::repulsive}) {
+      const BedOptions options{.n_particles = 300 + 10 * seed, .seed = ++seed, .spacing = 1.85};
+      Scene bed = random_bed(options);
+      bed.model.slip_history = slip;
+      bed.model.normal_force = normal;
+      SCOPED_TRACE(c.variant.name() + " on " + std::string(c.backend->name) + ", slip_history " +
+                   std::string(slip_history_names[static_cast<std::size_t>(slip)]) + ", normal_force " +
+                   std::string(normal_force_names[static_cast<std::size_t>(normal)]) + ", seed " +
+                   std::to_string(seed));
+      expect_agreement(bed);
+      if (contact_law(c.variant).model == ContactModel::simple) return;  // has none of these options
+    }
+  }
+}
+
+}  // namespace
+}  // namespace warpgrain
