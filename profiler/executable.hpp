@@ -1,6 +1,6 @@
 #pragma once
-// A kernel translated from PTX to native, traced code. The only header through which LLVM's work is used; it names
-// nothing of LLVM.
+// A kernel translated from PTX to native, traced code. The only header through which LLVM's work is used; it
+// names nothing of LLVM.
 
 #include <array>
 #include <cstdint>
@@ -17,24 +17,25 @@
 namespace warpgrain::profiler {
 
 enum class TraceMode : std::uint8_t {
-  none,                 // plain native run: the base line of every cost figure
-  blocks,               // block traces
+  none,    // plain native run: the base line of every cost figure
+  blocks,  // block traces
   blocks_and_addresses
 };
 
-// Runs work-groups of one launch on the calling thread and holds their traces. One a thread; reused from group to group.
+// Runs work-groups of one launch on the calling thread and holds their traces. One a thread; reused from
+// group to group.
 class WorkGroupRunner {
  public:
   virtual ~WorkGroupRunner() = default;
-  // Runs work-group `group` to its end. The traces, [work_group_size] in order of the linear local id, stay valid until
-  // the next call. Throws InputError for barrier divergence and for an exhausted trace.
+  // Runs work-group `group` to its end. The traces, [work_group_size] in order of the linear local id, stay
+  // valid until the next call. Throws InputError for barrier divergence and for an exhausted trace.
   virtual std::span<const LaneTrace> run(const std::array<std::uint64_t, 3>& group) = 0;
 };
 
 class Executable {
  public:
-  // Translates and compiles `kernel` of the module. Throws InputError naming the kernels there are, or the PTX line and
-  // instruction that is not carried. `where` names the PTX in messages.
+  // Translates and compiles `kernel` of the module. Throws InputError naming the kernels there are, or the
+  // PTX line and instruction that is not carried. `where` names the PTX in messages.
   static std::unique_ptr<Executable> compile(std::string_view ptx, std::string_view kernel, TraceMode mode,
                                              std::string_view where);
   virtual ~Executable() = default;

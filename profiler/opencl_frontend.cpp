@@ -1,0 +1,128 @@
+#include "profiler/opencl_frontend.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <optional>
+#include <vector>
+
+#include "core/error.hpp"
+#include "profiler/build_options.hpp"
+#include "profiler/embedded_prelude.hpp"
+#include "profiler/subprocess.hpp"
+
+namespace warpgrain::profiler {
+namespace {
+
+struct Compiler {
+  std::string program;
+  std::string version;  // first line of --version
+};
+
+// LLVM 15 is the one that the profiler itself and Debian 12's PoCL are built on.
+std::optional<Compiler> find_compiler() {
+  for (const char* name : {"clang-15", "clang"}) {
+    const std::filesystem::path program = find_program(name);
+    if (program.empty()) continue;
+    const std::string text = run_process({program, "--version"}).output;
+    std::string first_line = text.substr(0, text.find('\n'));
+    if (first_line.find("version 15.") != std::string::npos) return Compiler{program, std::move(first_line)};
+  }
+  return std::nullopt;
+}
+
+const Compiler& compiler() {
+  static const std::optional<Compiler> found = find_compiler();
+  if (!found)
+    throw_input_error("OpenCL C compiler", "no clang of version 15 in PATH",
+                      "clang-15 (Debian: apt-get install clang-15)");
+  return *found;
+}
+
+const std::string& builtin_library() {
+  static const std::string found = [] {
+    for (const char* path : {"/usr/lib/clc/nvptx64--nvidiacl.bc", "/usr/share/clc/nvptx64--nvidiacl.bc",
+                             "/usr/lib/llvm-15/share/clc/nvptx64--nvidiacl.bc"})
+      if (std::filesystem::exists(path)) return std::string(path);
+    return std::string();
+  }();
+  if (found.empty())
+    throw_input_error("OpenCL C library", "no nvptx64--nvidiacl.bc in /usr/lib/clc or /usr/share/clc",
+                      "libclc (Debian: apt-get install libclc-15)");
+  return found;
+}
+
+// The pinned pipeline. Loops are unrolled whole where their count is a small constant, which frees arrays
+// from local memory, and in no other way: copies of a loop's body would part what the source has as one
+// branch.
+std::vector<std::string> pinned_options(bool exact_division) {
+  return {"-x", "cl", "-cl-std=CL1.2", "-target", "nvptx64-nvidia-nvcl", "-Xclang", "-target-cpu", "-Xclang",
+          "sm_70", "-Xclang", "-mlink-builtin-bitcode", "-Xclang", builtin_library(), "-Wno-linker-warnings",
+          "-O2", "-gline-directives-only", "-fdebug-compilation-dir=.", "-fno-crash-diagnostics", "-mllvm",
+          "-unroll-runtime=false", "-mllvm", "-unroll-allow-partial=false",
+          // OpenCL's accuracy of float division, 2.5 ulp, lets it be div.full; else IEEE's.
+          "-mllvm", exact_division ? "-nvptx-prec-divf32=2" : "-nvptx-prec-divf32=1", "-mllvm",
+          exact_division ? "-nvptx-prec-sqrtf32=1" : "-nvptx-prec-sqrtf32=0", "-S"};
+}
+
+// `#line 1 "name"`, so that messages and line tables speak of the caller's file.
+std::string named(std::string_view source, std::string_view name) {
+  std::string text = "#line 1 \"";
+  for (const char c : name) {
+    if (c == '"' || c == '\\') text += '\\';
+    text += c;
+  }
+  text += "\"\n";
+  text += source;
+  return text;
+}
+
+// clang's messages without the stack dump that follows an error in its back end.
+std::string readable_errors(std::string text) {
+  text.resize(std::min(text.size(), text.find("PLEASE submit a bug report")));
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  return text;
+}
+
+std::string failure_text(const ProcessResult& result) {
+  const std::string text = readable_errors(result.errors);
+  return text.empty() ? fmt::format("clang ended with status {}", result.exit_status) : text;
+}
+
+}  // namespace
+
+CompiledPtx compile_opencl(std::string_view source, std::string_view source_name,
+                           std::string_view build_options) {
+  const std::vector<std::string> user_options = split_build_options(build_options);
+  const bool exact_division = std::find(user_options.begin(), user_options.end(),
+                                        "-cl-fp32-correctly-rounded-divide-sqrt") != user_options.end();
+  std::vector<std::string> options = pinned_options(exact_division);
+  if (exact_division) options.emplace_back("-DWARPGRAIN_EXACT_SQUARE_ROOT");
+  const std::filesystem::path folder_of_source = std::filesystem::path(source_name).parent_path();
+  options.insert(options.end(), {"-iquote", folder_of_source.empty() ? "." : folder_of_source.string()});
+  options.insert(options.end(), user_options.begin(), user_options.end());
+
+  const TemporaryFolder folder;
+  const std::string source_file = folder.path() / "kernel.cl";
+  const std::string prelude_file = folder.path() / "prelude.cl";
+  const std::string ptx_file = folder.path() / "kernel.ptx";
+  write_text(source_file, named(source, source_name));
+  write_text(prelude_file, embedded_preludes()[0].text);
+
+  std::vector<std::string> arguments{compiler().program};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  arguments.insert(arguments.end(), {"-include", prelude_file, "-o", ptx_file, source_file});
+  const ProcessResult result = run_process(arguments);
+  if (result.exit_status != 0)
+    throw InputError(fmt::format("{}: it does not compile\n{}", source_name, failure_text(result)));
+
+  CompiledPtx compiled;
+  compiled.ptx = read_text(ptx_file);
+  compiled.compiler = compiler().version;
+  compiled.command = fmt::format("clang {} -include opencl_prelude.cl", fmt::join(options, " "));
+  return compiled;
+}
+
+}  // namespace warpgrain::profiler

@@ -1,0 +1,49 @@
+#include "profiler/ptx/memory_layout.hpp"
+
+#include <fmt/format.h>
+#include <set>
+
+#include "core/error.hpp"
+
+namespace warpgrain::profiler::ptx {
+namespace {
+
+// More than any device has; keeps 32-bit offsets from wrapping.
+constexpr std::uint64_t max_bytes = std::uint64_t{1} << 24;
+
+std::uint32_t place(const Variable& variable, std::uint32_t& end, std::string_view where) {
+  const std::uint64_t offset =
+      (std::uint64_t{end} + variable.alignment - 1) / variable.alignment * variable.alignment;
+  if (offset + variable.bytes > max_bytes)
+    throw_input_error(fmt::format("{}:{}", where, variable.line),
+                      fmt::format("'{}' of {} bytes", variable.name, variable.bytes),
+                      fmt::format("at most {} bytes together", max_bytes));
+  end = static_cast<std::uint32_t>(offset + variable.bytes);
+  return static_cast<std::uint32_t>(offset);
+}
+
+void collect_names(const Operand& operand, std::set<std::string_view>& names) {
+  if (!operand.name.empty()) names.insert(operand.name);
+  for (const Operand& element : operand.elements) collect_names(element, names);
+}
+
+}  // namespace
+
+MemoryLayout lay_out(const Module& module, const Function& kernel, std::string_view where) {
+  MemoryLayout layout;
+  for (const Variable& parameter : kernel.parameters)
+    layout.parameter_offsets[parameter.name] = place(parameter, layout.parameter_bytes, where);
+  const auto add_shared = [&](const Variable& variable) {
+    if (variable.space == StateSpace::shared)
+      layout.shared_offsets[variable.name] = place(variable, layout.shared_bytes, where);
+  };
+  for (const Variable& variable : kernel.variables) add_shared(variable);
+  std::set<std::string_view> named;
+  for (const Statement& statement : kernel.statements)
+    for (const Operand& operand : statement.operands) collect_names(operand, named);
+  for (const Variable& variable : module.variables)
+    if (named.count(variable.name)) add_shared(variable);
+  return layout;
+}
+
+}  // namespace warpgrain::profiler::ptx

@@ -1,0 +1,249 @@
+#include "profiler/ptx/translator.hpp"
+
+#include <array>
+#include <cstddef>
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "profiler/ptx/emitter.hpp"
+#include "profiler/ptx/instructions.hpp"
+
+namespace warpgrain::profiler::ptx {
+namespace {
+
+class Translator {
+ public:
+  Translator(const Module& module, const Function& kernel, std::span<const Block> blocks,
+             const MemoryLayout& layout, TraceMode mode, std::string_view where, llvm::Module& out)
+      : kernel_(kernel),
+        blocks_(blocks),
+        where_(where),
+        lane_(make_function(out)),
+        ir_(llvm::BasicBlock::Create(out.getContext(), "registers", lane_)),
+        trace_(ir_, lane_->getArg(0), mode),
+        emitter_(ir_, lane_->getArg(0), module, kernel, layout, trace_, where) {}
+
+  void run() {
+    for (const Block& block : blocks_) starts_.push_back(new_block(block.label));
+    ir_.CreateBr(starts_[0]);
+    for (std::size_t b = 0; b < blocks_.size(); ++b) emit_block(static_cast<std::uint32_t>(b));
+  }
+
+ private:
+  static llvm::Function* make_function(llvm::Module& out) {
+    llvm::LLVMContext& context = out.getContext();
+    auto* type = llvm::FunctionType::get(llvm::Type::getVoidTy(context),
+                                         {llvm::PointerType::getUnqual(context)}, false);
+    auto* function =
+        llvm::Function::Create(type, llvm::GlobalValue::ExternalLinkage,
+                               llvm::StringRef(lane_function_name.data(), lane_function_name.size()), out);
+    function->setDoesNotThrow();
+    function->addParamAttr(0, llvm::Attribute::NoAlias);
+    return function;
+  }
+
+  llvm::BasicBlock* new_block(const std::string& name) {
+    return llvm::BasicBlock::Create(ir_.getContext(), name, lane_);
+  }
+
+  void emit_block(std::uint32_t index) {
+    const Block& block = blocks_[index];
+    ir_.SetInsertPoint(starts_[index]);
+    emitter_.access_slot = 0;
+    if (block.loop_header) emit_loop_check(index);
+    if (block.recorded) trace_.record_block(index);
+    const bool has_terminator = block.first < block.last && is_terminator(kernel_.statements[block.last - 1]);
+    for (std::size_t i = block.first; i < block.last - (has_terminator ? 1 : 0); ++i)
+      emit_statement(kernel_.statements[i]);
+    trace_.advance_addresses(emitter_.access_slot);
+    if (has_terminator)
+      emit_terminator(block, kernel_.statements[block.last - 1]);
+    else if (!block.successors.empty())
+      ir_.CreateBr(starts_[block.successors[0]]);
+    else
+      end_lane();
+  }
+
+  // A trace grows without end only in a loop, so that it is enough to look there; the buffers have room for
+  // one pass over every block behind their limit.
+  void emit_loop_check(std::uint32_t index) {
+    const std::uint32_t line = blocks_[index].first < kernel_.statements.size()
+                                   ? kernel_.statements[blocks_[index].first].line
+                                   : kernel_.line;
+    if (never_left(index)) {
+      stop_lane(LaneStatus::endless_loop, line);
+      // What follows cannot be reached.
+      ir_.SetInsertPoint(new_block("unreachable"));
+      return;
+    }
+    llvm::Value* exhausted = trace_.is_exhausted();
+    if (!exhausted) return;
+    llvm::BasicBlock* stop = new_block("exhausted");
+    llvm::BasicBlock* go_on = new_block(blocks_[index].label + ".body");
+    ir_.CreateCondBr(exhausted, stop, go_on);
+    ir_.SetInsertPoint(stop);
+    stop_lane(LaneStatus::trace_exhausted, line);
+    ir_.SetInsertPoint(go_on);
+  }
+
+  // Whether every block of the loop has one way on. Such a loop records nothing, so that no trace would show
+  // it.
+  bool never_left(std::uint32_t header) const {
+    std::uint32_t block = header;
+    for (std::size_t steps = 0; steps <= blocks_.size(); ++steps) {
+      if (blocks_[block].successors.size() != 1) return false;
+      block = blocks_[block].successors[0];
+      if (block == header) return true;
+    }
+    return true;
+  }
+
+  void emit_statement(const Statement& statement) {
+    emitter_.begin(statement);
+    if (!statement.guard) {
+      emit_instruction(statement);
+      return;
+    }
+    // In place of a branch of its own, which the PTX does not have and the trace does not show.
+    const std::uint32_t first_slot = emitter_.access_slot;
+    llvm::BasicBlock* start = ir_.GetInsertBlock();
+    llvm::BasicBlock* perform = new_block("predicated");
+    llvm::BasicBlock* behind = new_block("behind");
+    llvm::Value* condition = read_guard(statement);
+    ir_.SetInsertPoint(perform);
+    emit_instruction(statement);
+    ir_.CreateBr(behind);
+    ir_.SetInsertPoint(start);
+    for (std::uint32_t slot = first_slot; slot < emitter_.access_slot; ++slot)
+      trace_.record_address(slot, ir_.getInt64(no_address));
+    ir_.CreateCondBr(condition, perform, behind);
+    ir_.SetInsertPoint(behind);
+  }
+
+  void emit_instruction(const Statement& statement) {
+    if (statement.opcode == "call") return;  // its function's blocks follow
+    if (statement.opcode == "bar" || statement.opcode == "barrier") {
+      emit_barrier(statement);
+    } else {
+      find_instruction(statement)(emitter_);
+    }
+    emitter_.end();
+  }
+
+  InstructionEmitter find_instruction(const Statement& statement) const {
+    for (const InstructionTable* table :
+         {&arithmetic_instructions(), &float_instructions(), &bit_instructions(), &compare_instructions(),
+          &move_instructions(), &memory_instructions()})
+      if (const auto found = table->find(statement.opcode); found != table->end()) return found->second;
+    static constexpr std::array<std::string_view, 7> warp_level{"shfl",  "vote",  "match",   "activemask",
+                                                                "redux", "elect", "bar.warp"};
+    if (std::find(warp_level.begin(), warp_level.end(), statement.opcode) != warp_level.end())
+      emitter_.refuse("no exchange between the lanes of a warp: lanes run one after another");
+    emitter_.refuse();
+  }
+
+  // bar.sync 0: all lanes of the work-group. Named barriers of fewer lanes are not OpenCL's.
+  void emit_barrier(const Statement& statement) {
+    emitter_.modifiers().take("cta");
+    const bool syncs = emitter_.modifiers().take("sync");
+    emitter_.modifiers().take("aligned");
+    if (!syncs || statement.operands.size() != 1 || statement.guard)
+      emitter_.refuse("bar.sync of the whole work-group");
+    llvm::Value* wait = emitter_.context_field(offsetof(LaneContext, wait_at_barrier), ir_.getPtrTy());
+    auto* type = llvm::FunctionType::get(ir_.getVoidTy(), {ir_.getPtrTy(), ir_.getInt32Ty()}, false);
+    ir_.CreateCall(type, wait, {lane_->getArg(0), ir_.getInt32(statement.line)});
+  }
+
+  llvm::Value* read_guard(const Statement& statement) {
+    Operand predicate;
+    predicate.name = statement.guard->predicate;
+    predicate.negated = statement.guard->negated;
+    return emitter_.read(predicate, predicate_type);
+  }
+
+  void emit_terminator(const Block& block, const Statement& statement) {
+    emitter_.begin(statement);
+    emitter_.modifiers().take("uni");
+    if (statement.opcode == "brx") {
+      emit_table_branch(statement);
+    } else if (statement.opcode == "bra" || statement.guard) {
+      emit_branch(block, statement);
+    } else {
+      end_lane(statement);
+    }
+    emitter_.end();
+  }
+
+  void emit_branch(const Block& block, const Statement& statement) {
+    if (!statement.guard) {
+      ir_.CreateBr(starts_[block.successors[0]]);
+      return;
+    }
+    llvm::Value* condition = read_guard(statement);
+    llvm::BasicBlock* taken = starts_[block.successors[0]];
+    // A trap has no block of its own in the graph that its lanes would be seen to end in.
+    if (statement.opcode == "trap") {
+      taken = new_block("trap");
+      llvm::BasicBlock* start = ir_.GetInsertBlock();
+      ir_.SetInsertPoint(taken);
+      end_lane(statement);
+      ir_.SetInsertPoint(start);
+    }
+    ir_.CreateCondBr(condition, taken, starts_[block.successors.back()]);
+  }
+
+  void emit_table_branch(const Statement& statement) {
+    emitter_.modifiers().take("idx");
+    const std::vector<std::string> targets = branch_targets(kernel_, statement, where_);
+    llvm::Value* index = emitter_.read(0, bits_type(32));
+    // An index beyond the table is undefined in PTX; it takes the last entry.
+    llvm::SwitchInst* table =
+        ir_.CreateSwitch(index, starts_[block_of(targets.back())], static_cast<unsigned>(targets.size()));
+    for (std::uint32_t i = 0; i < targets.size(); ++i)
+      table->addCase(ir_.getInt32(i), starts_[block_of(targets[i])]);
+  }
+
+  std::size_t block_of(const std::string& label) const {
+    const std::size_t statement = kernel_.labels.at(label);
+    for (std::size_t b = blocks_.size(); b-- > 0;)
+      if (blocks_[b].first == statement) return b;
+    return 0;
+  }
+
+  void end_lane(const Statement& statement) {
+    if (statement.opcode == "trap")
+      stop_lane(LaneStatus::trapped, statement.line);
+    else
+      end_lane();
+  }
+
+  void end_lane() {
+    trace_.finish();
+    ir_.CreateRetVoid();
+  }
+
+  void stop_lane(LaneStatus status, std::uint32_t line) {
+    ir_.CreateStore(ir_.getInt32(static_cast<std::uint32_t>(status)),
+                    emitter_.context_pointer(offsetof(LaneContext, status)));
+    ir_.CreateStore(ir_.getInt32(line), emitter_.context_pointer(offsetof(LaneContext, line)));
+    end_lane();
+  }
+
+  const Function& kernel_;
+  std::span<const Block> blocks_;
+  std::string_view where_;
+  llvm::Function* lane_;
+  llvm::IRBuilder<> ir_;
+  TraceEmitter trace_;
+  Emitter emitter_;
+  std::vector<llvm::BasicBlock*> starts_;
+};
+
+}  // namespace
+
+void translate(const Module& module, const Function& kernel, std::span<const Block> blocks,
+               const MemoryLayout& layout, TraceMode mode, std::string_view where, llvm::Module& out) {
+  Translator(module, kernel, blocks, layout, mode, where, out).run();
+}
+
+}  // namespace warpgrain::profiler::ptx

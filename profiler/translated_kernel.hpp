@@ -1,0 +1,33 @@
+#pragma once
+// What translation leaves for running: native code, and the facts that launches are checked against.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "profiler/executable.hpp"
+#include "profiler/lane_context.hpp"
+
+namespace warpgrain::profiler {
+
+struct TranslatedKernel {
+  std::string where;  // of the PTX
+  KernelGraph graph;
+  TraceMode mode = TraceMode::none;
+  LaneFunction lane = nullptr;
+  std::vector<KernelParameter> parameters;
+  std::vector<std::uint32_t> parameter_offsets;  // [parameters]
+  std::uint32_t parameter_bytes = 0;
+  std::uint32_t local_bytes = 0;  // .local memory of a lane, on its stack
+  std::optional<std::array<std::uint32_t, 3>> required_local_size;
+
+  // "where: kernel 'name'"
+  std::string place() const;
+  // "file:line (PTX line n)" of the instruction in that line of the PTX.
+  std::string source_of(std::uint32_t ptx_line) const;
+  std::vector<std::pair<std::uint32_t, SourceLocation>> statement_lines;  // PTX line -> source
+};
+
+}  // namespace warpgrain::profiler

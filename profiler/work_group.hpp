@@ -1,0 +1,49 @@
+#pragma once
+// Runs the lanes of a work-group one after another, in turns where the kernel has barriers.
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "profiler/fiber_pool.hpp"
+#include "profiler/lane_buffers.hpp"
+#include "profiler/translated_kernel.hpp"
+
+namespace warpgrain::profiler {
+
+class GroupRunner final : public WorkGroupRunner {
+ public:
+  // A lane may record this many blocks and as many addresses. At a few blocks a pass of a loop that is
+  // millions of passes; what needs more is taken for endless.
+  static constexpr std::size_t max_recorded = std::size_t{1} << 24;
+
+  // Shape and arguments have been checked.
+  GroupRunner(const TranslatedKernel& kernel, const LaunchShape& shape,
+              std::span<const KernelArgument> arguments);
+
+  std::span<const LaneTrace> run(const std::array<std::uint64_t, 3>& group) override;
+
+ private:
+  void lay_out_parameters(std::span<const KernelArgument> arguments);
+  void prepare_lane(std::size_t lane, const std::array<std::uint64_t, 3>& group);
+  void run_with_barriers(const std::array<std::uint64_t, 3>& group);
+  void check_status(const LaneContext& lane, const std::array<std::uint64_t, 3>& group) const;
+  // Throws for lanes that have ended or wait elsewhere while others wait.
+  void check_barrier(const std::vector<bool>& waits, const std::array<std::uint64_t, 3>& group) const;
+  void release_long_traces();
+
+  const TranslatedKernel& kernel_;
+  LaunchShape shape_;
+  std::vector<std::byte> parameters_;
+  std::unique_ptr<std::byte[]> shared_storage_;
+  std::byte* shared_ = nullptr;
+  std::size_t shared_bytes_ = 0;
+  std::vector<LaneContext> lanes_;
+  std::vector<LaneTrace> traces_;
+  std::optional<LaneBuffers> blocks_;
+  std::optional<LaneBuffers> addresses_;
+  std::optional<FiberPool> fibers_;
+};
+
+}  // namespace warpgrain::profiler
