@@ -1,46 +1,60 @@
 #pragma once
-// Launch files, `.sim`: Oclgrind's format, with `file=PATH` added. A file holds the program, the kernel, the global and
-// the local size, then an argument each.
+// Launch files, `.sim`: Oclgrind's format. A file names the program, the kernel, the global and the local
+// size, then an argument each:
+//
+//   vector_add.cl           # comments run to the end of the line
+//   vector_add
+//   1024 1 1
+//   64 1 1
+//   <size=4096 float range=0:1:1023>
+//   <size=4096 float fill=2 ro>
+//   <size=4096 float noinit dump>
+//   <size=4> 1024
+//
+// size=N    bytes; of local memory, a scalar or a buffer, as the kernel's signature says
+// TYPE      char, uchar, short, ... double: of the values; else that of the kernel's parameter
+// fill=V    all elements; range=A:S:B  A, A+S, ... B; noinit  none (zeros); else the values follow, size /
+// size of TYPE of
+//           them
+// hex       whole numbers are hexadecimal, and dumped so;  null  a null pointer;  ro, wo  what the kernel may
+// do (accepted) dump      print the buffer after the run
+//
+// Beyond Oclgrind: `file=PATH` reads raw bytes, relative to the launch file; the program may be PTX (`.ptx`).
+// The program stands relative to the launch file, too, or else to the working directory.
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <iosfwd>
-#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "profiler/device_buffer.hpp"
+#include "profiler/element_type.hpp"
 #include "profiler/launch.hpp"
 #include "profiler/profile.hpp"
 
 namespace warpgrain::profiler {
 
-// Bytes aligned as a GPU aligns a buffer.
-class DeviceBuffer {
- public:
-  explicit DeviceBuffer(std::size_t bytes);
-  ~DeviceBuffer();
-  DeviceBuffer(DeviceBuffer&&) noexcept;
-  DeviceBuffer& operator=(DeviceBuffer&&) noexcept;
-  std::span<std::byte> bytes() const { return {data_, size_}; }
-
- private:
-  std::byte* data_ = nullptr;
-  std::size_t size_ = 0;
-};
-
-// One `<size=... ...>` entry of the file, parsed.
+// One `<size=... ...>` entry, as it stands there.
 struct LaunchFileArgument {
+  struct Value {
+    std::string text;
+    int line = 0;
+  };
+  int line = 0;
   std::size_t size = 0;
-  std::string type;      // float, int, uint4, ...; decides how values are read and dumped
+  std::optional<ElementType> type;
   bool dump = false, hex = false, is_null = false, no_init = false, read_only = false, write_only = false;
-  std::vector<std::byte> initial;  // [size] unless null, no_init or local
-  bool has_data = false;           // fill, range, values or file stood there
-  int line = 0;                    // where, for messages
+  std::string fill, range;  // empty: not given
+  std::filesystem::path file;
+  std::vector<Value> values;  // that follow
 };
 
 struct LaunchFile {
   std::filesystem::path path;
-  std::filesystem::path program;  // resolved against the launch file's folder
+  std::filesystem::path program;
   std::string kernel;
   LaunchShape shape;
   std::vector<LaunchFileArgument> arguments;
@@ -54,7 +68,9 @@ struct LaunchFileResult {
   std::vector<DeviceBuffer> buffers;  // one an argument; empty for scalars and local memory
 };
 
-// Compiles and profiles the launch. Prints the `dump`ed arguments to `out` as Oclgrind prints them.
+// Compiles and profiles the launch. Prints the `dump`ed arguments to `out` as Oclgrind prints them. Throws
+// InputError for a program that does not compile, a kernel that is not there, and arguments that do not fit
+// its parameters.
 LaunchFileResult profile_launch_file(const LaunchFile& file, const std::string& build_options,
                                      const ProfileOptions& options, std::ostream& out);
 

@@ -1,0 +1,111 @@
+#include <cstdlib>
+#include <fstream>
+#include <stdexcept>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+#include "profiler/launch_file.hpp"
+
+namespace warpgrain::profiler {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class LaunchFiles : public testing::Test {
+ protected:
+  LaunchFiles() {
+    std::string folder = testing::TempDir() + "launch_files_XXXXXX";
+    if (mkdtemp(folder.data()) == nullptr) throw std::runtime_error("no temporary folder");
+    folder_ = folder;
+  }
+  ~LaunchFiles() override { std::filesystem::remove_all(folder_); }
+
+  LaunchFile read(const std::string& text) {
+    std::ofstream(folder_ / "x.sim") << text;
+    return read_launch_file(folder_ / "x.sim");
+  }
+  std::string error_of(const std::string& text) {
+    try {
+      read(text);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(LaunchFiles, ReadsEverything) {
+  const LaunchFile file = read(R"(# a comment
+k.cl  my_kernel
+64 2 1   # global
+32 1 1
+<size=16 float range=1:0.5:2.5 dump ro>
+<size=8 uint4 hex>
+10 ff   # two
+20<size=4>7
+<null>
+<size=64 file=data/in.bin wo>
+<size=64 noinit>
+)");
+  EXPECT_EQ(file.program, folder_ / "k.cl");
+  EXPECT_EQ(file.kernel, "my_kernel");
+  EXPECT_THAT(file.shape.global_size, ElementsAre(64, 2, 1));
+  EXPECT_THAT(file.shape.local_size, ElementsAre(32, 1, 1));
+  ASSERT_EQ(file.arguments.size(), 6U);
+  const auto& a = file.arguments;
+  EXPECT_EQ(a[0].size, 16U);
+  EXPECT_EQ(a[0].line, 5);
+  EXPECT_EQ(a[0].type, ElementType::float_);
+  EXPECT_EQ(a[0].range, "1:0.5:2.5");
+  EXPECT_TRUE(a[0].dump && a[0].read_only);
+  EXPECT_TRUE(a[1].hex && !a[1].dump);
+  EXPECT_EQ(a[1].type, ElementType::uint);
+  ASSERT_EQ(a[1].values.size(), 3U);
+  EXPECT_EQ(a[1].values[2].text, "20");
+  EXPECT_EQ(a[1].values[2].line, 8);
+  ASSERT_EQ(a[2].values.size(), 1U);
+  EXPECT_EQ(a[2].type, std::nullopt);
+  EXPECT_TRUE(a[3].is_null);
+  EXPECT_EQ(a[4].file, folder_ / "data/in.bin");
+  EXPECT_TRUE(a[5].no_init && a[4].write_only);
+}
+
+TEST_F(LaunchFiles, TheProgramMayStandRelativeToTheWorkingDirectory) {
+  const std::string here = std::filesystem::relative(WARPGRAIN_SOURCE_DIR).string() + "/CMakeLists.txt";
+  EXPECT_EQ(read(here + " k 1 1 1 1 1 1").program, here);
+}
+
+TEST_F(LaunchFiles, ErrorsNameFileLineAndWhatWasExpected) {
+  const std::string head = "k.cl k\n64 1 1\n32 1 1\n";
+  EXPECT_THAT(error_of(""), HasSubstr("expected the program's file name"));
+  EXPECT_THAT(error_of("k.cl\n"), HasSubstr("expected the kernel's name"));
+  EXPECT_THAT(error_of("k.cl k\n64 x 1\n"),
+              HasSubstr("x.sim:2: 'x'; expected a global size, three numbers above 0"));
+  EXPECT_THAT(error_of("k.cl k\n64 1 1\n-32 1 1\n"), HasSubstr("x.sim:3: '-32'"));
+  EXPECT_THAT(error_of("k.cl k\n64 1 1\n0 1 1\n"), HasSubstr("x.sim:3: '0'"));
+  EXPECT_THAT(error_of("k.cl k\n64 1 1\n48 1 1\n"),
+              HasSubstr("global size 64 and local size 48 in dimension 0"));
+  EXPECT_THAT(error_of(head + "size=4\n"), HasSubstr("x.sim:4: 'size=4'; expected an argument"));
+  EXPECT_THAT(error_of(head + "<size=4\n7\n"), HasSubstr("x.sim:4"));
+  EXPECT_THAT(error_of(head + "<size=x>\n"), HasSubstr("'size=x'; expected a number of bytes"));
+  EXPECT_THAT(error_of(head + "<size=>\n"), HasSubstr("'size='"));
+  EXPECT_THAT(error_of(head + "<fill=3>\n"), HasSubstr("expected size=BYTES"));
+  EXPECT_THAT(error_of(head + "<size=4 flaot>\n"), HasSubstr("unknown word 'flaot'"));
+  EXPECT_THAT(error_of(head + "<size=4 float int>\n"), HasSubstr("a second type, 'int'"));
+  EXPECT_THAT(error_of(head + "<size=4 fill=1 noinit>\n"), HasSubstr("several sources"));
+  EXPECT_THAT(error_of(head + "<size=4 fill=1 ro wo>\n"), HasSubstr("'ro' and 'wo'"));
+  EXPECT_THAT(error_of(head + "<size=4 null>\n"), HasSubstr("'null' beside"));
+  try {
+    read_launch_file(folder_ / "nowhere.sim");
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("nowhere.sim: cannot be read"));
+  }
+}
+
+}  // namespace
+}  // namespace warpgrain::profiler
