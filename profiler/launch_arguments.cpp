@@ -42,7 +42,9 @@ class Binder {
   }
 
  private:
-  [[noreturn]] void refuse(std::string_view what, std::string_view expected) const { refuse(given_.line, what, expected); }
+  [[noreturn]] void refuse(std::string_view what, std::string_view expected) const {
+    refuse(given_.line, what, expected);
+  }
   [[noreturn]] void refuse(int line, std::string_view what, std::string_view expected) const {
     throw_input_error(fmt::format("{}:{}", path_, line), fmt::format("{}: {}", subject_, what), expected);
   }
@@ -50,8 +52,9 @@ class Binder {
   KernelArgument::Kind kind() const {
     if (parameter_.pointer == Pointer::shared) return KernelArgument::Kind::local;
     if (parameter_.pointer != Pointer::none) return KernelArgument::Kind::buffer;
-    const bool as_buffer = given_.is_null || given_.no_init || !given_.range.empty() || !given_.file.empty() ||
-                           given_.read_only || given_.write_only || given_.dump || given_.size != parameter_.bytes;
+    const bool as_buffer = given_.is_null || given_.no_init || !given_.range.empty() ||
+                           !given_.file.empty() || given_.read_only || given_.write_only || given_.dump ||
+                           given_.size != parameter_.bytes;
     const bool may_be_pointer = parameter_.bytes == 8 && declared_type_.empty();
     return as_buffer && may_be_pointer ? KernelArgument::Kind::buffer : KernelArgument::Kind::scalar;
   }
@@ -70,7 +73,8 @@ class Binder {
     if (given_.is_null || given_.dump || given_.no_init || given_.read_only || given_.write_only)
       refuse("null, noinit, dump, ro or wo for a scalar", "a buffer parameter for these");
     if (given_.size != parameter_.bytes)
-      refuse(fmt::format("size={}", given_.size), fmt::format("size={}, as the kernel declares it", parameter_.bytes));
+      refuse(fmt::format("size={}", given_.size),
+             fmt::format("size={}, as the kernel declares it", parameter_.bytes));
     find_type();
     std::vector<std::byte> value(given_.size);
     fill(value);
@@ -84,7 +88,8 @@ class Binder {
     } else if (const auto type = element_type_of_parameter(declared_type_)) {
       bound_.type = *type;
     } else if (!given_.fill.empty() || !given_.range.empty() || !given_.values.empty()) {
-      refuse(declared_type_.empty() ? "values without a type" : fmt::format("values for the type '{}'", declared_type_),
+      refuse(declared_type_.empty() ? "values without a type"
+                                    : fmt::format("values for the type '{}'", declared_type_),
              fmt::format("a type ({}) in the argument", fmt::join(element_names(), ", ")));
     }
     const std::size_t size = element_size(bound_.type);
@@ -108,8 +113,9 @@ class Binder {
 
   void read_value(std::string_view text, int line, std::byte* to) const {
     if (!read_element(bound_.type, text, given_.hex, to))
-      refuse(line, fmt::format("'{}'", text),
-             fmt::format("a {}{}", given_.hex ? "hexadecimal " : "", element_name(bound_.type)));
+      refuse(
+          line, fmt::format("'{}'", text),
+          fmt::format("a value of type {}{}", element_name(bound_.type), given_.hex ? ", hexadecimal" : ""));
   }
 
   void fill_constant(std::span<std::byte> to) const {
@@ -129,7 +135,8 @@ class Binder {
     std::string_view text = given_.range;
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t colon = i < 2 ? text.find(':') : text.size();
-      if (colon == std::string_view::npos) refuse(fmt::format("'range={}'", given_.range), "range=BEGIN:STEP:END");
+      if (colon == std::string_view::npos)
+        refuse(fmt::format("'range={}'", given_.range), "range=BEGIN:STEP:END");
       read_value(text.substr(0, colon), given_.line, bounds.data() + i * size);
       text.remove_prefix(std::min(colon + 1, text.size()));
     }
@@ -144,7 +151,8 @@ class Binder {
     std::ifstream in(given_.file, std::ios::binary);
     if (error || !in) refuse(fmt::format("'{}' cannot be read", given_.file.string()), "a file");
     if (size != to.size())
-      refuse(fmt::format("'{}' has {} bytes", given_.file.string(), size), fmt::format("{} bytes", to.size()));
+      refuse(fmt::format("'{}' has {} bytes", given_.file.string(), size),
+             fmt::format("{} bytes", to.size()));
     in.read(reinterpret_cast<char*>(to.data()), static_cast<std::streamsize>(to.size()));
     if (!in) refuse(fmt::format("'{}' cannot be read", given_.file.string()), "a file");
   }
@@ -153,8 +161,10 @@ class Binder {
     const std::size_t size = element_size(bound_.type), n = to.size() / size;
     if (given_.values.size() != n)
       refuse(fmt::format("{} values", given_.values.size()),
-             fmt::format("{} of type {}, or one of fill=, range=, file= and noinit", n, element_name(bound_.type)));
-    for (std::size_t i = 0; i < n; ++i) read_value(given_.values[i].text, given_.values[i].line, to.data() + i * size);
+             fmt::format("{} of type {}, or one of fill=, range=, file= and noinit", n,
+                         element_name(bound_.type)));
+    for (std::size_t i = 0; i < n; ++i)
+      read_value(given_.values[i].text, given_.values[i].line, to.data() + i * size);
   }
 
   std::string path_;
@@ -173,7 +183,8 @@ std::vector<BoundArgument> bind_arguments(const LaunchFile& file, std::span<cons
     for (std::size_t i = 0; i < parameters.size(); ++i)
       names.push_back(i < declared.size() ? declared[i].name : parameters[i].name);
     const std::size_t n = file.arguments.size();
-    const int line = n > parameters.size() ? file.arguments[parameters.size()].line : (n == 0 ? 1 : file.arguments[n - 1].line);
+    const int line = n > parameters.size() ? file.arguments[parameters.size()].line
+                                           : (n == 0 ? 1 : file.arguments[n - 1].line);
     throw_input_error(fmt::format("{}:{}", file.path.string(), line),
                       fmt::format("{} arguments for kernel '{}'", n, file.kernel),
                       fmt::format("{}: {}", parameters.size(), fmt::join(names, ", ")));

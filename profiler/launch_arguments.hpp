@@ -10,14 +10,9 @@
 #include "profiler/element_type.hpp"
 #include "profiler/launch.hpp"
 #include "profiler/launch_file.hpp"
+#include "profiler/opencl_frontend.hpp"
 
 namespace warpgrain::profiler {
-
-// A parameter as the kernel's source declares it.
-struct ParameterDeclaration {
-  std::string name;
-  std::string type;  // "float4*", "int"; empty where it is not known, as for PTX
-};
 
 struct BoundArgument {
   KernelArgument argument;
@@ -26,9 +21,9 @@ struct BoundArgument {
   ElementType type = ElementType::uchar;  // of its values
 };
 
-// One for each parameter, filled with their data. `declared` may be shorter than `parameters`. A parameter of 8 bytes that
-// the PTX does not call a pointer takes a buffer when the file gives it other than 8 bytes or any of null, noinit, range,
-// file, ro, wo and dump. Throws InputError with file and line.
+// One for each parameter, filled with their data. `declared` may be shorter than `parameters`. A parameter of
+// 8 bytes that the PTX does not call a pointer takes a buffer when the file gives it other than 8 bytes or
+// any of null, noinit, range, file, ro, wo and dump. Throws InputError with file and line.
 std::vector<BoundArgument> bind_arguments(const LaunchFile& file, std::span<const KernelParameter> parameters,
                                           std::span<const ParameterDeclaration> declared);
 

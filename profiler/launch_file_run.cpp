@@ -4,7 +4,6 @@
 #include <sstream>
 
 #include "core/error.hpp"
-#include "profiler/kernel_declaration.hpp"
 #include "profiler/launch_arguments.hpp"
 #include "profiler/launch_file.hpp"
 #include "profiler/opencl_frontend.hpp"
@@ -14,14 +13,16 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+double seconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
 
 std::string read_program(const LaunchFile& file) {
   std::ifstream in(file.program, std::ios::binary);
   std::ostringstream text;
   if (!in || !(text << in.rdbuf()))
-    throw_input_error(fmt::format("{}: program '{}'", file.path.string(), file.program.string()), "cannot be read",
-                      "OpenCL C, or PTX in a .ptx file");
+    throw_input_error(fmt::format("{}: program '{}'", file.path.string(), file.program.string()),
+                      "cannot be read", "OpenCL C, or PTX in a .ptx file");
   return text.str();
 }
 

@@ -11,6 +11,7 @@
 #include "core/error.hpp"
 #include "profiler/build_options.hpp"
 #include "profiler/embedded_prelude.hpp"
+#include "profiler/kernel_declaration.hpp"
 #include "profiler/subprocess.hpp"
 
 namespace warpgrain::profiler {
@@ -91,6 +92,32 @@ std::string failure_text(const ProcessResult& result) {
   return text.empty() ? fmt::format("clang ended with status {}", result.exit_status) : text;
 }
 
+// The user's options behind `options`, and the folder where the source's #include "..." start from.
+void append_user_options(std::vector<std::string>& options, const std::vector<std::string>& user_options,
+                         std::string_view source_name) {
+  const std::filesystem::path folder_of_source = std::filesystem::path(source_name).parent_path();
+  options.insert(options.end(), {"-iquote", folder_of_source.empty() ? "." : folder_of_source.string()});
+  options.insert(options.end(), user_options.begin(), user_options.end());
+}
+
+// What clang makes of the text, with the prelude before it.
+std::string run_clang(std::string_view source, std::string_view source_name,
+                      const std::vector<std::string>& options) {
+  const TemporaryFolder folder;
+  const std::string source_file = folder.path() / "kernel.cl";
+  const std::string prelude_file = folder.path() / "prelude.cl";
+  const std::string output_file = folder.path() / "kernel.out";
+  write_text(source_file, named(source, source_name));
+  write_text(prelude_file, embedded_preludes()[0].text);
+  std::vector<std::string> arguments{compiler().program};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  arguments.insert(arguments.end(), {"-include", prelude_file, "-o", output_file, source_file});
+  const ProcessResult result = run_process(arguments);
+  if (result.exit_status != 0)
+    throw InputError(fmt::format("{}: it does not compile\n{}", source_name, failure_text(result)));
+  return read_text(output_file);
+}
+
 }  // namespace
 
 CompiledPtx compile_opencl(std::string_view source, std::string_view source_name,
@@ -100,29 +127,31 @@ CompiledPtx compile_opencl(std::string_view source, std::string_view source_name
                                         "-cl-fp32-correctly-rounded-divide-sqrt") != user_options.end();
   std::vector<std::string> options = pinned_options(exact_division);
   if (exact_division) options.emplace_back("-DWARPGRAIN_EXACT_SQUARE_ROOT");
-  const std::filesystem::path folder_of_source = std::filesystem::path(source_name).parent_path();
-  options.insert(options.end(), {"-iquote", folder_of_source.empty() ? "." : folder_of_source.string()});
-  options.insert(options.end(), user_options.begin(), user_options.end());
-
-  const TemporaryFolder folder;
-  const std::string source_file = folder.path() / "kernel.cl";
-  const std::string prelude_file = folder.path() / "prelude.cl";
-  const std::string ptx_file = folder.path() / "kernel.ptx";
-  write_text(source_file, named(source, source_name));
-  write_text(prelude_file, embedded_preludes()[0].text);
-
-  std::vector<std::string> arguments{compiler().program};
-  arguments.insert(arguments.end(), options.begin(), options.end());
-  arguments.insert(arguments.end(), {"-include", prelude_file, "-o", ptx_file, source_file});
-  const ProcessResult result = run_process(arguments);
-  if (result.exit_status != 0)
-    throw InputError(fmt::format("{}: it does not compile\n{}", source_name, failure_text(result)));
+  append_user_options(options, user_options, source_name);
 
   CompiledPtx compiled;
-  compiled.ptx = read_text(ptx_file);
+  compiled.ptx = run_clang(source, source_name, options);
   compiled.compiler = compiler().version;
   compiled.command = fmt::format("clang {} -include opencl_prelude.cl", fmt::join(options, " "));
   return compiled;
+}
+
+std::vector<ParameterDeclaration> declared_parameters(std::string_view source, std::string_view source_name,
+                                                      std::string_view build_options,
+                                                      std::string_view kernel) {
+  std::vector<std::string> options{"-x",
+                                   "cl",
+                                   "-cl-std=CL1.2",
+                                   "-target",
+                                   "nvptx64-nvidia-nvcl",
+                                   "-cl-kernel-arg-info",
+                                   "-w",
+                                   "-Xclang",
+                                   "-disable-llvm-passes",
+                                   "-emit-llvm",
+                                   "-c"};
+  append_user_options(options, split_build_options(build_options), source_name);
+  return parameters_in_bitcode(run_clang(source, source_name, options), kernel);
 }
 
 }  // namespace warpgrain::profiler

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace warpgrain::profiler {
 
@@ -17,5 +18,17 @@ struct CompiledPtx {
 // message (file and line), or with what is missing when there is no clang 15 or no libclc.
 CompiledPtx compile_opencl(std::string_view source, std::string_view source_name,
                            std::string_view build_options = {});
+
+// A parameter as the kernel's source declares it.
+struct ParameterDeclaration {
+  std::string name;
+  std::string type;  // without address space, type names resolved: "float4*", "int"
+};
+
+// The parameters of a kernel of the same text; none when there is no such kernel. PTX keeps neither names nor
+// types.
+std::vector<ParameterDeclaration> declared_parameters(std::string_view source, std::string_view source_name,
+                                                      std::string_view build_options,
+                                                      std::string_view kernel);
 
 }  // namespace warpgrain::profiler

@@ -1,8 +1,8 @@
 #include <cstdlib>
 #include <fstream>
-#include <stdexcept>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <stdexcept>
 
 #include "core/error.hpp"
 #include "profiler/launch_file.hpp"
