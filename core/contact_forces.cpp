@@ -8,6 +8,10 @@
 namespace warpgrain {
 namespace {
 
+bool precedes(const ContactRecord& a, const ContactRecord& b) {
+  return std::pair(a.particle_id, a.partner_id) < std::pair(b.particle_id, b.partner_id);
+}
+
 bool is_wall(std::uint32_t partner) { return (partner & wall_partner_bit) != 0; }
 
 // v_n and v_t of eq. (6).
@@ -76,18 +80,18 @@ void ContactForces<Real>::set_history(const ContactHistory& history, const Parti
                         "the id of a particle of the state");
     return static_cast<std::uint32_t>(found - particles.id.begin());
   };
+  if (!std::is_sorted(history.begin(), history.end(), precedes))
+    throw_input_error("contact history", "out of order", "records sorted by particle and partner");
   // Kept are the records seen from the particle of the lower id: indices ascend with ids, so rows come out
   // sorted.
   auto record = history.begin();
   for (std::size_t r = 0; r < ranges_.size(); ++r) {
-    TouchingRows& touching =
-        after_[r];  // "after" the evaluation that never was; the next one moves it to "before"
+    // "After" the evaluation that never was; the first one makes it "before".
+    TouchingRows& touching = after_[r];
     for (std::size_t i = ranges_[r].first; i < ranges_[r].last; ++i) {
       for (; record != history.end() && record->particle_id <= particles.id[i]; ++record) {
         const bool wall = is_wall(record->partner_id);
-        if (index_of(record->particle_id) != i)
-          throw_input_error("contact history", fmt::format("particle {}", record->particle_id),
-                            "records sorted by particle");
+        if (record->particle_id < particles.id[i]) index_of(record->particle_id);  // skipped over: refused
         if (!wall && record->partner_id <= record->particle_id) continue;
         touching.rows.partner.push_back(wall ? record->partner_id : index_of(record->partner_id));
         touching.tangential_displacement.push_back(record->tangential_displacement.template cast<Real>());
@@ -96,6 +100,7 @@ void ContactForces<Real>::set_history(const ContactHistory& history, const Parti
           static_cast<std::uint32_t>(touching.rows.partner.size());
     }
   }
+  if (record != history.end()) index_of(record->particle_id);  // above all ids there are: refused
 }
 
 template <class Real>
@@ -269,9 +274,7 @@ ContactHistory ContactForces<Real>::listed(const std::vector<TouchingRows>& touc
         if (!is_wall(j)) history.push_back({particles.id[j], id, -displacement});
       }
   }
-  std::sort(history.begin(), history.end(), [](const ContactRecord& a, const ContactRecord& b) {
-    return std::pair(a.particle_id, a.partner_id) < std::pair(b.particle_id, b.partner_id);
-  });
+  std::sort(history.begin(), history.end(), precedes);
   return history;
 }
 

@@ -17,20 +17,27 @@ Counts cells_along(const Vector3d& size, double edge) { return (size.array() / e
 // The standard library's distributions differ between implementations; this one does not.
 double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
 
+// Cells of exactly the diameter would leave spheres touching by rounding.
+double least_edge_of(const FillSpec& fill) { return 2 * fill.radius * (1 + 1e-9); }
+
+// The most spheres that the box holds.
+double room_of(const FillSpec& fill) {
+  return cells_along(fill.box.upper - fill.box.lower, least_edge_of(fill)).prod();
+}
+
 }  // namespace
 
+bool fits(const FillSpec& fill) { return room_of(fill) >= static_cast<double>(fill.count); }
+
 std::vector<Vector3d> fill_positions(const FillSpec& fill, std::string_view where) {
-  const double diameter = 2 * fill.radius;
-  // Cells of exactly the diameter would leave spheres touching by rounding.
-  const double least_edge = diameter * (1 + 1e-9);
+  const double diameter = 2 * fill.radius, least_edge = least_edge_of(fill);
   const Vector3d size = fill.box.upper - fill.box.lower;
   const double count = static_cast<double>(fill.count);
-  const double room = cells_along(size, least_edge).prod();
-  if (room < count)
+  if (!fits(fill))
     throw_input_error(where,
                       fmt::format("{} spheres of radius {} do not fit a box of {} x {} x {}", fill.count,
                                   fill.radius, size.x(), size.y(), size.z()),
-                      fmt::format("at most {}", room));
+                      fmt::format("at most {}", room_of(fill)));
   double edge = std::cbrt(size.prod() / count);
   while (edge > least_edge && cells_along(size, edge).prod() < count) edge *= 0.999;
   const Counts n = cells_along(size, std::max(edge, least_edge));

@@ -16,6 +16,9 @@ struct FillSpec {
   std::uint64_t seed = 1;
 };
 
+// Whether the lattice below holds `count` spheres.
+bool fits(const FillSpec& fill);
+
 // Centres of `count` spheres that lie inside the box without touching, [count], layer by layer from below.
 // The lattice is the widest one that holds them; each sphere is moved within its lattice cell at random, the
 // same on every machine for the same seed. Throws InputError naming `where` when they do not fit.

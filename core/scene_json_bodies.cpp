@@ -99,8 +99,13 @@ double read_fill(const JsonReader& json, const SceneOverrides& overrides, Scene&
     if (*overrides.particles == 0) fill_json.fail("0 particles asked for", "at least one");
     stretch = std::cbrt(static_cast<double>(*overrides.particles) / static_cast<double>(fill.count));
     fill.count = *overrides.particles;
-    fill.box.lower *= stretch;
-    fill.box.upper *= stretch;
+    const Box box = fill.box;
+    fill.box = {stretch * box.lower, stretch * box.upper};
+    // Few particles: what the lattice loses by being whole cells may need a slightly larger box.
+    while (!fits(fill)) {
+      stretch *= 1.01;
+      fill.box = {stretch * box.lower, stretch * box.upper};
+    }
   }
   if (fill.count >= wall_partner_bit)
     fill_json.fail(fmt::format("{} particles", fill.count), "fewer than 2^31");
