@@ -6,11 +6,12 @@
 #include "core/error.hpp"
 #include "variants/backend_host.hpp"
 #include "variants/backend_opencl.hpp"
+#include "variants/backend_simt.hpp"
 
 namespace warpgrain {
 
 std::span<const Backend> backends() {
-  static const std::array<Backend, 2> table{host_backend, opencl_backend};
+  static const std::array<Backend, 3> table{host_backend, opencl_backend, simt_backend};
   return table;
 }
 

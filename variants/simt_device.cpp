@@ -1,0 +1,165 @@
+#include "variants/simt_device.hpp"
+
+#include "core/error.hpp"
+
+#ifdef WARPGRAIN_HAS_SIMULATOR
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <map>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "core/parallel_ranges.hpp"
+#include "profiler/device_buffer.hpp"
+#include "profiler/opencl_frontend.hpp"
+
+namespace warpgrain {
+namespace {
+
+using profiler::Executable;
+using profiler::KernelArgument;
+using profiler::LaunchProfile;
+using profiler::LaunchShape;
+
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+class SimulatedDevice : public SimtDevice {
+ public:
+  SimulatedDevice(profiler::TraceMode mode, unsigned threads)
+      : mode_(mode), threads_(threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency())) {}
+
+  void build(const std::vector<SourceUnit>& units) override {
+    for (const SourceUnit& unit : units) {
+      units_.push_back({unit.text, profiler::compile_opencl(unit.text, unit_name, unit.build_options), {}});
+    }
+  }
+
+  void allocate(DeviceArray array, std::size_t bytes) override { buffers_[array] = profiler::DeviceBuffer(bytes); }
+  void write(DeviceArray array, std::span<const std::byte> bytes) override {
+    std::ranges::copy(bytes, buffers_[array].bytes().begin());
+  }
+  void read(DeviceArray array, std::span<std::byte> bytes) override {
+    std::ranges::copy(buffers_[array].bytes().first(bytes.size()), bytes.begin());
+  }
+  void swap(DeviceArray first, DeviceArray second) override { std::swap(buffers_[first], buffers_[second]); }
+
+  void launch(const KernelLaunch& launch) override {
+    CompiledKernel& kernel = compiled(launch);
+    LaunchShape shape;
+    shape.global_size[0] = launch.global_size;
+    shape.local_size[0] = static_cast<std::uint32_t>(launch.local_size);
+    std::vector<KernelArgument> arguments;
+    for (const LaunchArgument& argument : launch.arguments) {
+      if (const auto* array = std::get_if<DeviceArray>(&argument)) {
+        arguments.push_back(KernelArgument::buffer(buffers_[*array].bytes()));
+      } else {
+        arguments.push_back(KernelArgument::scalar(std::get<std::vector<std::byte>>(argument)));
+      }
+    }
+    const auto begin = std::chrono::steady_clock::now();
+    if (profile_options_) {
+      profile(units_[launch.unit], kernel, shape, arguments);
+    } else {
+      run(*kernel.executable, shape, arguments);
+    }
+    timings_[kernel.timing].calls += 1;
+    timings_[kernel.timing].seconds += seconds_since(begin);
+  }
+
+  void finish() override {}
+  std::vector<KernelTiming> timings() const override { return timings_; }
+  std::string name() const override { return "SIMT simulator"; }
+
+  void record(const profiler::ProfileOptions& options) override {
+    profile_options_ = options;
+    if (options.threads == 0) profile_options_->threads = threads_;
+  }
+  std::vector<LaunchProfile> take_profiles() override { return std::exchange(profiles_, {}); }
+
+ private:
+  static constexpr const char* unit_name = "kernels";
+
+  struct CompiledKernel {
+    std::unique_ptr<Executable> executable;
+    double compile_seconds = 0;
+    std::size_t timing = 0;  // index into timings_
+  };
+  struct Unit {
+    std::string text;
+    profiler::CompiledPtx compiled;
+    std::map<std::string, CompiledKernel> kernels;
+  };
+
+  CompiledKernel& compiled(const KernelLaunch& launch) {
+    Unit& unit = units_[launch.unit];
+    const auto it = unit.kernels.find(launch.kernel);
+    if (it != unit.kernels.end()) return it->second;
+    const auto begin = std::chrono::steady_clock::now();
+    CompiledKernel kernel{Executable::compile(unit.compiled.ptx, launch.kernel, mode_, unit_name), 0, timings_.size()};
+    kernel.compile_seconds = seconds_since(begin);
+    timings_.push_back({launch.kernel, 0, 0});
+    return unit.kernels.emplace(launch.kernel, std::move(kernel)).first->second;
+  }
+
+  void profile(const Unit& unit, const CompiledKernel& kernel, const LaunchShape& shape,
+               std::span<const KernelArgument> arguments) {
+    const auto begin = std::chrono::steady_clock::now();
+    LaunchProfile launch;
+    launch.counters = profiler::profile_launch(*kernel.executable, shape, arguments, unit.text, *profile_options_);
+    launch.run_seconds = seconds_since(begin);
+    launch.source = unit.text;
+    launch.source_name = unit_name;
+    launch.ptx = unit.compiled.ptx;
+    launch.compiler = unit.compiled.compiler;
+    launch.compile_command = unit.compiled.command;
+    launch.compile_seconds = kernel.compile_seconds;
+    profiles_.push_back(std::move(launch));
+  }
+
+  // Runs the work-groups without counting anything. No kernel's work-groups wait for one another.
+  void run(const Executable& executable, const LaunchShape& shape, std::span<const KernelArgument> arguments) const {
+    const std::uint64_t n_groups = shape.group_count()[0];
+    std::atomic<std::uint64_t> next_group = 0;
+    for_each_range(std::min<std::uint64_t>(threads_, n_groups), [&](std::size_t) {
+      const auto runner = executable.runner(shape, arguments);
+      for (std::uint64_t group = next_group++; group < n_groups; group = next_group++) runner->run({group, 0, 0});
+    });
+  }
+
+  profiler::TraceMode mode_;
+  unsigned threads_;
+  std::vector<Unit> units_;
+  PerArray<profiler::DeviceBuffer> buffers_;
+  std::vector<KernelTiming> timings_;
+  std::optional<profiler::ProfileOptions> profile_options_;
+  std::vector<LaunchProfile> profiles_;
+};
+
+}  // namespace
+
+std::string simulator_lacks() { return {}; }
+
+std::unique_ptr<SimtDevice> make_simt_device(profiler::TraceMode mode, unsigned threads) {
+  return std::make_unique<SimulatedDevice>(mode, threads);
+}
+
+}  // namespace warpgrain
+
+#else
+
+namespace warpgrain {
+
+std::string simulator_lacks() { return "built without the simulator (WARPGRAIN_SIMULATOR=OFF)"; }
+
+std::unique_ptr<SimtDevice> make_simt_device(profiler::TraceMode, unsigned) {
+  throw_input_error("simt", simulator_lacks());
+}
+
+}  // namespace warpgrain
+
+#endif

@@ -1,0 +1,28 @@
+#pragma once
+// The simulator as a device: it runs the same kernels, compiled to PTX, and counts their warps when asked to.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "profiler/executable.hpp"
+#include "profiler/profile.hpp"
+#include "variants/compute_device.hpp"
+
+namespace warpgrain {
+
+class SimtDevice : public ComputeDevice {
+ public:
+  // Profiles the launches from here on. Needs a device made with a mode that leaves traces.
+  virtual void record(const profiler::ProfileOptions& options) = 0;
+  // Of the launches since record(), in order.
+  virtual std::vector<profiler::LaunchProfile> take_profiles() = 0;
+};
+
+// Empty when the simulator is part of this build; else one line that says it is not.
+std::string simulator_lacks();
+
+// `threads`: worker threads, 0 = all cores. Throws InputError when simulator_lacks().
+std::unique_ptr<SimtDevice> make_simt_device(profiler::TraceMode mode, unsigned threads);
+
+}  // namespace warpgrain
