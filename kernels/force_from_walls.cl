@@ -32,7 +32,7 @@ KERNEL void force_from_walls(const StepParameters p, CONSTANT const WallLayout* 
   sum.torque = xyz(torque[self]);
   uint n_contacts = 0;
 
-  for (uint index = 0; index < p.n_walls; ++index) {
+  for (uint index = 0; index < p.n_walls; ++index) {  // branch: next wall
     CONSTANT const WallLayout* wall = &walls[index];
     const real3 normal = make_real3(wall->normal_x, wall->normal_y, wall->normal_z);
     Contact contact;

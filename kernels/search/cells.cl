@@ -34,11 +34,11 @@ KERNEL void force_between_particles(const StepParameters p, GLOBAL const ulong* 
   uint n_contacts = 0;
 
   const Cell cell = cell_at(p, position_radius[self]);
-  for (int z = max(cell.z - 1, 0); z <= min(cell.z + 1, (int)p.cells_z - 1); ++z) {
-    for (int y = max(cell.y - 1, 0); y <= min(cell.y + 1, (int)p.cells_y - 1); ++y) {
+  for (int z = max(cell.z - 1, 0); z <= min(cell.z + 1, (int)p.cells_z - 1); ++z) {  // branch: next layer
+    for (int y = max(cell.y - 1, 0); y <= min(cell.y + 1, (int)p.cells_y - 1); ++y) {  // branch: next row
       for (int x = max(cell.x - 1, 0); x <= min(cell.x + 1, (int)p.cells_x - 1); ++x) {  // branch: next cell
         const uint2 range = cell_ranges[cell_number(p, x, y, z)];
-        for (uint place = range.x; place < range.y; ++place) {  // branch: cell has more
+        for (uint place = range.x; place < range.y; ++place) {  // branch: next candidate
           const uint other = particle_at(place, cell_keys);
           if (other == self) continue;  // branch: self
           const real4 place_of_other = position_radius[other];

@@ -43,13 +43,18 @@ class BedMaker {
     return {uniform(-size, size), uniform(-size, size), uniform(-size, size)};
   }
 
+  std::vector<std::uint32_t> shuffled_from(std::uint32_t first) {
+    std::vector<std::uint32_t> numbers(options_.n_particles);
+    std::iota(numbers.begin(), numbers.end(), first);
+    std::shuffle(numbers.begin(), numbers.end(), random_);
+    return numbers;
+  }
+
   void place_particles(int per_edge) {
     ParticleState& p = scene_.particles;
-    std::vector<std::uint32_t> ids(options_.n_particles);
-    std::iota(ids.begin(), ids.end(), 100u);
-    std::shuffle(ids.begin(), ids.end(), random_);
+    const std::vector<std::uint32_t> ids = shuffled_from(100), cells = shuffled_from(0);
     for (std::size_t k = 0; k < options_.n_particles; ++k) {
-      const auto cell = static_cast<int>(k);
+      const auto cell = static_cast<int>(cells[k]);
       const Vector3d corner(cell % per_edge, cell / per_edge % per_edge, cell / per_edge / per_edge);
       const auto material = static_cast<std::uint32_t>(random_() % 2);
       const double radius = uniform(0.8, 1.0) * largest_radius;

@@ -16,7 +16,8 @@ struct BedOptions {
   bool history = true;
 };
 
-// Radius 4 to 5 mm, two materials, ids in no order.
+// Radius 4 to 5 mm, two materials; neither ids nor places in the arrays say anything about where a particle
+// is.
 Scene random_bed(const BedOptions& options);
 
 }  // namespace warpgrain

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
-#include "random_bed.hpp"
 #include "variants/opencl_device.hpp"
 
 namespace warpgrain {
@@ -27,29 +26,6 @@ TEST(OpenclDevice, IsFoundByPartOfItsName) {
   const std::string message = message_of([] { open_opencl_device("no such device", false); });
   EXPECT_THAT(message, HasSubstr("--device: unknown device 'no such device'; valid: "));
   EXPECT_THAT(message, HasSubstr(name));
-}
-
-TEST(OpenclDevice, PassesTheCompilersMessageOnWithFileAndLine) {
-  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "broken_kernels";
-  std::filesystem::create_directories(folder);
-  std::ofstream(folder / "find_cells.cl")
-      << "#include \"prelude.h\"\nKERNEL void clear_cells(int x) {\n  x = 1 +;\n}\n";
-  const Scene bed = random_bed({.n_particles = 10});
-  const std::string message = message_of([&] {
-    backend("opencl").create(bed, Variant(), {.device = {}, .threads = 0, .kernel_folder = folder.string()});
-  });
-  EXPECT_THAT(message, HasSubstr("kernels: do not compile"));
-  EXPECT_THAT(message, HasSubstr("find_cells.cl:3:"));
-  EXPECT_THAT(message, HasSubstr("expected expression"));
-
-  std::ofstream(folder / "find_cells.cl")
-      << "#include \"prelude.h\"\nKERNEL void clear_cels(GLOBAL int* x) { *x = 1; }\n";
-  EXPECT_THAT(message_of([&] {
-                backend("opencl").create(bed, Variant(),
-                                         {.device = {}, .threads = 0, .kernel_folder = folder.string()});
-              }),
-              HasSubstr("kernels: no kernel 'clear_cells'; expected "));
-  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

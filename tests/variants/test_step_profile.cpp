@@ -1,0 +1,84 @@
+#include <algorithm>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+#include "random_bed.hpp"
+#include "variants/simt_device.hpp"
+#include "variants/step_profile.hpp"
+
+namespace warpgrain {
+namespace {
+
+using profiler::LaunchProfile;
+
+class StepProfile : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (const std::string lack = simulator_lacks(); !lack.empty()) GTEST_SKIP() << lack;
+  }
+  static std::vector<LaunchProfile> profile(const char* order, unsigned threads = 0) {
+    Variant variant;
+    variant.set("order", order);
+    profiler::ProfileOptions options;
+    options.threads = threads;
+    return profile_step(random_bed({.n_particles = 2000}), variant, options);
+  }
+  static const LaunchProfile& force_launch(const std::vector<LaunchProfile>& launches) {
+    return *std::ranges::find_if(launches, [](const LaunchProfile& launch) {
+      return launch.counters.kernel == "force_between_particles";
+    });
+  }
+};
+
+TEST_F(StepProfile, ListsTheLaunchesOfTheFlowInOrder) {
+  std::vector<std::string> kernels;
+  for (const LaunchProfile& launch : profile("cell")) {
+    kernels.push_back(launch.counters.kernel);
+    const double efficiency = launch.counters.totals.simt_efficiency(launch.counters.warp_width);
+    EXPECT_GT(efficiency, 0) << kernels.back();
+    EXPECT_LE(efficiency, 1) << kernels.back();
+    EXPECT_GE(launch.counters.warps, 2000u / 64) << kernels.back();  // the sort: two keys a work-item
+  }
+  EXPECT_THAT(kernels, testing::ElementsAre("integrate", "map_particles", "sort_blocks", "merge_stride",
+                                            "merge_blocks", "reorder_particles", "clear_cells", "find_cells",
+                                            "force_between_particles", "force_from_walls"));
+}
+
+TEST_F(StepProfile, NamesTheBranchesOfTheSource) {
+  const auto launches = profile("cell");
+  std::vector<std::string> labels;
+  for (const profiler::BranchTotals& branch : force_launch(launches).counters.branches) {
+    if (branch.divergent > 0) labels.push_back(branch.file + ": " + branch.label);
+  }
+  EXPECT_THAT(labels, testing::IsSupersetOf(
+                          {"kernels/search/cells.cl: contact test", "kernels/search/cells.cl: next candidate",
+                           "kernels/contact_history.h: history found", "kernels/contact/branchy.cl: slip"}));
+}
+
+TEST_F(StepProfile, SortedParticlesTouchFewerSectors) {
+  const auto sectors_per_load = [](const std::vector<LaunchProfile>& launches) {
+    const profiler::MemoryCounters& loads = force_launch(launches).counters.totals.global_load;
+    return static_cast<double>(loads.sectors) / static_cast<double>(loads.requests);
+  };
+  EXPECT_LT(1.3 * sectors_per_load(profile("cell")), sectors_per_load(profile("unsorted")));
+}
+
+TEST_F(StepProfile, DoesNotDependOnThreads) {
+  const auto one = profile("cell", 1), three = profile("cell", 3);
+  ASSERT_EQ(one.size(), three.size());
+  for (std::size_t k = 0; k < one.size(); ++k) {
+    EXPECT_EQ(one[k].counters.totals.thread_instructions, three[k].counters.totals.thread_instructions);
+    EXPECT_EQ(one[k].counters.totals.lane_histogram, three[k].counters.totals.lane_histogram);
+    EXPECT_EQ(one[k].counters.totals.global_load.sectors, three[k].counters.totals.global_load.sectors);
+  }
+}
+
+TEST_F(StepProfile, StopsWhereTheStepStops) {
+  Scene bed = random_bed({.n_particles = 100});
+  bed.particles.velocity[7] = {1e9, 0, 0};
+  EXPECT_THROW(profile_step(bed, Variant(), {}), SimulationError);
+}
+
+}  // namespace
+}  // namespace warpgrain
