@@ -74,9 +74,11 @@ std::string JsonPlace::text() const {
   return value_->get<std::string>();
 }
 
-bool JsonPlace::flag() const {
-  if (!value_->is_boolean()) refuse("true or false");
-  return value_->get<bool>();
+std::size_t JsonPlace::one_of(std::span<const std::string_view> names, std::string_view kind) const {
+  const std::string name = text();
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) throw_unknown_name(where_, kind, name, names);
+  return static_cast<std::size_t>(found - names.begin());
 }
 
 std::vector<std::uint64_t> JsonPlace::counts() const {

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,7 +30,8 @@ class JsonPlace {
   std::uint32_t count32() const;
   double number() const;
   std::string text() const;
-  bool flag() const;
+  // The index of the text in `names`; another one is refused with the list of them.
+  std::size_t one_of(std::span<const std::string_view> names, std::string_view kind) const;
   std::vector<std::uint64_t> counts() const;  // an array of them
 
   // The same where the key may be missing.

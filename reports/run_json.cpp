@@ -1,3 +1,4 @@
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "reports/json_place.hpp"
@@ -9,6 +10,8 @@ namespace warpgrain::reports {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr std::array<std::string_view, 3> end_names{"steps", "time", "at_rest"};
 
 Json to_json(const RunReport::Kernel& kernel) {
   return {{"name", kernel.name}, {"calls", kernel.calls}, {"seconds", kernel.seconds}};
@@ -52,7 +55,7 @@ std::string run_json(const RunReport& run) {
   json["particles"] = run.particles;
   json["steps"] = run.steps;
   json["time_step"] = run.time_step;
-  json["at_rest"] = run.at_rest;
+  json["ended_by"] = end_names[static_cast<std::size_t>(run.ended_by)];
   json["wall_seconds"] = run.wall_seconds;
   json["particle_steps_per_second"] = run.particle_steps_per_second();
   json["contacts"] = run.contacts;
@@ -76,7 +79,7 @@ RunReport read_run(const std::filesystem::path& file) {
   run.particles = root["particles"].count();
   run.steps = root["steps"].count();
   run.time_step = root["time_step"].number();
-  run.at_rest = root["at_rest"].flag();
+  run.ended_by = static_cast<RunEndReason>(root["ended_by"].one_of(end_names, "end of a run"));
   run.wall_seconds = root["wall_seconds"].number();
   run.contacts = root["contacts"].count();
   for (const JsonPlace& kernel : root["kernels"].elements()) run.kernels.push_back(kernel_from(kernel));

@@ -14,6 +14,9 @@ namespace warpgrain::reports {
 
 inline constexpr std::string_view run_format = "warpgrain.run/1";
 
+// Which condition ended the run: the number of steps, the simulated time, or all particles at rest.
+enum class RunEndReason : std::uint8_t { steps, time, at_rest };
+
 struct RunReport {
   struct Kernel {
     std::string name;
@@ -37,9 +40,9 @@ struct RunReport {
   std::string device;  // as it calls itself
   std::uint64_t particles = 0;
   std::uint64_t steps = 0;
-  double time_step = 0;     // s
+  double time_step = 0;  // s
+  RunEndReason ended_by = RunEndReason::steps;
   double wall_seconds = 0;  // of the steps alone: no building, no reading, no writing
-  bool at_rest = false;     // the scene's condition of rest was met
   std::vector<Kernel> kernels;
   std::vector<Energy> energy;  // in order of time
   std::uint64_t contacts = 0;  // touching at the end: a pair once, a wall contact once

@@ -4,10 +4,10 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "reports/generator.hpp"
@@ -41,7 +41,7 @@ struct BackendReading {
 
 struct SweepCase {
   std::string variant;
-  std::vector<std::pair<std::string, std::string>> axes;  // axis -> value, in the order of the variant's name
+  std::map<std::string, std::string> axes;  // axis -> value
   CaseStatus status = CaseStatus::done;
   std::string message;                     // empty when done
   std::optional<std::string> report_file;  // "warpgrain.report/1", relative to the index

@@ -1,8 +1,6 @@
-#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "core/error.hpp"
 #include "reports/json_place.hpp"
 #include "reports/json_text.hpp"
 #include "reports/provenance_json.hpp"
@@ -73,12 +71,8 @@ Json to_json(const SweepCase& sweep_case) {
 SweepCase case_from(const JsonPlace& place) {
   SweepCase sweep_case;
   sweep_case.variant = place["variant"].text();
-  for (const auto& [axis, value] : place["axes"].members()) sweep_case.axes.emplace_back(axis, value.text());
-  const std::string status = place["status"].text();
-  const auto found = std::find(status_names.begin(), status_names.end(), status);
-  if (found == status_names.end())
-    throw_unknown_name(place["status"].where(), "status", status, status_names);
-  sweep_case.status = static_cast<CaseStatus>(found - status_names.begin());
+  for (const auto& [axis, value] : place["axes"].members()) sweep_case.axes[axis] = value.text();
+  sweep_case.status = static_cast<CaseStatus>(place["status"].one_of(status_names, "status"));
   sweep_case.message = place.optional_text("message").value_or("");
   sweep_case.report_file = place.optional_text("report_file");
   if (const auto headline = place.find("headline")) sweep_case.headline = headline_from(*headline);

@@ -1,0 +1,117 @@
+#include "sample.hpp"
+
+namespace warpgrain::reports::sample {
+namespace {
+
+constexpr const char* source_text =
+    "#line 1 \"contact/law.cl\"\n"
+    "void law(int i) {\n"
+    "  if (i < 2 && i > -1)  // branch: contact test\n"
+    "    force[i] = sqrt(overlap) /* <&> */;\n"
+    "}\n";
+
+}  // namespace
+
+profiler::Totals totals(std::uint64_t full, std::uint64_t half) {
+  profiler::Totals t;
+  t.warp_instructions = full + half;
+  t.thread_instructions = 4 * full + 2 * half;
+  t.lane_histogram = {0, 0, half, 0, full};
+  t.sfu_instructions = half;
+  t.instruction_mix[static_cast<std::size_t>(profiler::InstructionClass::fp32)] = {full, 4 * full};
+  t.instruction_mix[static_cast<std::size_t>(profiler::InstructionClass::special_function)] = {half,
+                                                                                               2 * half};
+  t.global_load = {.requests = full, .sectors = 3 * full, .lines = 2 * full, .useful_bytes = 16 * full};
+  t.shared_store = {.requests = half, .sectors = 0, .lines = 0, .useful_bytes = 8 * half};
+  return t;
+}
+
+profiler::LaunchProfile launch(const std::string& kernel) {
+  profiler::LaunchProfile profile;
+  profiler::LaunchCounters& c = profile.counters;
+  c.kernel = kernel;
+  c.shape = {.global_size = {8, 1, 1}, .local_size = {8, 1, 1}};
+  c.warp_width = warp_width;
+  c.policy = "loop_postdom";
+  c.warps = 2;
+  c.totals = totals(10, 6);
+  c.totals.branches = 2;
+  c.totals.divergent_branches = 1;
+  c.lines = {{"contact/law.cl", 2, totals(10, 0)}, {"contact/law.cl", 3, totals(0, 6)}};
+  c.lines[0].totals.branches = 2;
+  c.lines[0].totals.divergent_branches = 1;
+  c.blocks = {{0, "entry", 2, {0, 0, 0, 0, 2}}, {1, "then", 2, {0, 0, 2, 0, 0}}};
+  c.branches = {{.file = "contact/law.cl",
+                 .line = 2,
+                 .label = "contact test",
+                 .block = 0,
+                 .executions = 2,
+                 .divergent = 1,
+                 .lanes = 8,
+                 .taken_lanes = 4,
+                 .lane_slots_lost = 12}};
+  profile.source = source_text;
+  profile.source_name = "step.cl";
+  profile.compiler = "clang version 15.0.6";
+  profile.compile_command = "-cl-std=CL1.2";
+  return profile;
+}
+
+Report report() {
+  const std::vector launches{launch("sort"), launch("force"), launch("force")};
+  Report r = make_report(launches, "warpgrain profile --scene <slit>");
+  r.scene = "slit";
+  r.variant = "branchy/cells/cell/fp32/default";
+  r.particles = 16384;
+  r.step = 4000;
+  return r;
+}
+
+RunReport run() {
+  RunReport r;
+  r.generator = this_generator();
+  r.command_line = "warpgrain run --scene slit";
+  r.scene = "slit";
+  r.variant = "simple/cells/cell/fp32/default";
+  r.backend = "opencl";
+  r.device = "pthread-device";
+  r.particles = 1000;
+  r.steps = 50;
+  r.time_step = 1e-5;
+  r.wall_seconds = 0.25;
+  r.ended_by = RunEndReason::at_rest;
+  r.kernels = {{"force", 50, 0.125}};
+  r.energy = {{0, 0, 1, 2, 3, 4}, {50, 5e-4, 0.5, 0.25, -3, 0.1}};
+  r.contacts = 17;
+  return r;
+}
+
+SweepIndex sweep() {
+  SweepIndex index;
+  index.generator = this_generator();
+  index.command_line = "warpgrain sweep --scene slit --out out";
+  index.scene = "slit";
+  index.particles = 16384;
+  index.step = 4000;
+  SweepCase done;
+  done.variant = "branchy/cells/cell/fp32/default";
+  done.axes = {{"contact", "branchy"}, {"search", "cells"}, {"order", "cell"}};
+  done.report_file = "branchy_cells_cell_fp32_default.json";
+  done.headline = headline_of(kernels_of(report()));
+  done.backends = {
+      {.backend = "opencl",
+       .device = "pthread-device",
+       .steps = 20,
+       .seconds_per_step = 0.0123,
+       .force_error = ForceErrorReading{1.5e-6, 2.5e-8}},
+      {.backend = "simt", .device = "simulator", .steps = 1, .seconds_per_step = {}, .force_error = {}}};
+  SweepCase failed;
+  failed.variant = "branchy/cells/unsorted/fp32/default";
+  failed.axes = {{"contact", "branchy"}, {"search", "cells"}, {"order", "unsorted"}};
+  failed.status = CaseStatus::failed;
+  failed.message = "step 12: particle 7 left the domain";
+  index.cases = {done, failed};
+  return index;
+}
+
+}  // namespace warpgrain::reports::sample

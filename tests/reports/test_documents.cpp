@@ -1,0 +1,129 @@
+// The three formats, written and read back, and what their readers refuse.
+
+#include <functional>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+#include "reports/atomic_file.hpp"
+#include "reports/report_json.hpp"
+#include "sample.hpp"
+#include "temporary_folder.hpp"
+
+namespace warpgrain::reports {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using testing::HasSubstr;
+
+// Writes `text`, reads it with `read` and writes what was read: the same bytes.
+template <class Read, class Write>
+std::string round_trip(const std::string& text, Read read, Write write) {
+  const TemporaryFolder folder;
+  write_file_atomically(folder / "document.json", text);
+  return write(read(folder / "document.json"));
+}
+
+TEST(Documents, ReportsSurviveARoundTrip) {
+  const std::string text = report_json(sample::report());
+  EXPECT_EQ(round_trip(text, read_report, report_json), text);
+}
+
+TEST(Documents, RunsSurviveARoundTrip) {
+  const std::string text = run_json(sample::run());
+  EXPECT_EQ(round_trip(text, read_run, run_json), text);
+}
+
+TEST(Documents, SweepsSurviveARoundTrip) {
+  const std::string text = sweep_json(sample::sweep());
+  EXPECT_EQ(round_trip(text, read_sweep, sweep_json), text);
+}
+
+TEST(Documents, TheTextOfASourceStandsOnce) {
+  const Json report = Json::parse(report_json(sample::report()));
+  EXPECT_TRUE(report["launches"][0]["source"].contains("text"));
+  EXPECT_FALSE(report["launches"][1]["source"].contains("text"));
+  EXPECT_EQ(report["launches"][1]["source"]["hash"], report["launches"][0]["source"]["hash"]);
+}
+
+TEST(Documents, RunRateIsThePapersParticlesPerSecond) {
+  EXPECT_DOUBLE_EQ(sample::run().particle_steps_per_second(), 200'000);
+  RunReport run;
+  EXPECT_EQ(run.particle_steps_per_second(), 0) << "no steps";
+}
+
+TEST(Documents, NanIsAnErrorNotNull) {
+  RunReport run = sample::run();
+  run.energy[1].elastic = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(run_json(run), InputError);
+}
+
+// The message with which read_report refuses the sample after `damage`.
+std::string refusal(const std::function<void(Json&)>& damage) {
+  Json document = Json::parse(report_json(sample::report()));
+  damage(document);
+  const TemporaryFolder folder;
+  write_file_atomically(folder / "document.json", document.dump());
+  try {
+    read_report(folder / "document.json");
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "not refused";
+}
+
+TEST(Documents, ReadersNameThePlaceOfWhatIsWrong) {
+  EXPECT_THAT(refusal([](Json& d) { d["launches"][1]["totals"].erase("branches"); }),
+              HasSubstr("document.json: launches[1].totals.branches: missing"));
+  EXPECT_THAT(refusal([](Json& d) { d["launches"][0]["warps"] = -1; }),
+              HasSubstr("launches[0].warps: -1; expected a whole number, 0 or more"));
+  EXPECT_THAT(refusal([](Json& d) { d["launches"][0]["totals"]["lane_histogram"].push_back(1); }),
+              HasSubstr("lane_histogram: 6 entries; expected 5"));
+  EXPECT_THAT(refusal([](Json& d) {
+                d["launches"][0]["totals"]["instruction_mix"]["tensor"] = {{"warp", 1}};
+              }),
+              HasSubstr("unknown instruction class 'tensor'; valid: fp32, "));
+  EXPECT_THAT(refusal([](Json& d) {
+                d["launches"][0]["local_size"] = {8, 1, 0};
+              }),
+              HasSubstr("local_size: [8,1,0]; expected three sizes of at least 1"));
+  EXPECT_THAT(refusal([](Json& d) { d["launches"][0]["source"].erase("text"); }),
+              HasSubstr("launches[0].source"));
+  EXPECT_THAT(refusal([](Json& d) { d["launches"] = 7; }), HasSubstr("launches: 7; expected an array"));
+}
+
+TEST(Documents, ReadersTellFormatsAndVersionsApart) {
+  EXPECT_THAT(refusal([](Json& d) { d.erase("format"); }), HasSubstr("format: missing"));
+  EXPECT_THAT(refusal([](Json& d) { d["format"] = "warpgrain.report/2"; }),
+              HasSubstr("format: \"warpgrain.report/2\"; expected \"warpgrain.report/1\""));
+}
+
+TEST(Documents, WhatIsNoJsonIsRefusedWithItsLine) {
+  const TemporaryFolder folder;
+  write_file_atomically(folder / "cut.json", "{\n \"format\": \"warpgrain.run/1\",\n");
+  try {
+    read_run(folder / "cut.json");
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("cut.json: line 3: not JSON"));
+  }
+  EXPECT_THROW(read_sweep(folder / "absent.json"), InputError);
+}
+
+TEST(Documents, SweepStatusesAreThree) {
+  Json document = Json::parse(sweep_json(sample::sweep()));
+  document["cases"][0]["status"] = "fine";
+  const TemporaryFolder folder;
+  write_file_atomically(folder / "index.json", document.dump());
+  try {
+    read_sweep(folder / "index.json");
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("cases[0].status: unknown status 'fine'; valid: done, failed, skipped"));
+  }
+}
+
+}  // namespace
+}  // namespace warpgrain::reports

@@ -1,0 +1,175 @@
+// The JSON Schemas under docs/schemas against documents as the program writes them, and against broken ones.
+
+#include <array>
+#include <cstdio>
+#include <functional>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "reports/atomic_file.hpp"
+#include "reports/report_json.hpp"
+#include "sample.hpp"
+#include "temporary_folder.hpp"
+
+namespace warpgrain::reports {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// A document, and what was done to it.
+struct Case {
+  std::string what;
+  std::string text;
+};
+
+// Runs tests/reports/validate.py: one answer a document, "valid" or what is wrong.
+std::vector<std::string> validate(const std::string& schema, const std::vector<Case>& cases) {
+  const TemporaryFolder folder;
+  // Debian's interpreter has Debian's jsonschema; `python3` may be another one.
+  std::string command = "/usr/bin/python3 " WARPGRAIN_SOURCE_DIR
+                        "/tests/reports/validate.py " WARPGRAIN_SOURCE_DIR "/docs/schemas/" +
+                        schema;
+  for (std::size_t k = 0; k < cases.size(); ++k) {
+    const auto file = folder / (std::to_string(k) + ".json");
+    write_file_atomically(file, cases[k].text);
+    command += ' ';
+    command += file.string();
+  }
+  FILE* output = popen(command.c_str(), "r");
+  if (output == nullptr) return {};
+  std::vector<std::string> answers(1);
+  for (int c = std::fgetc(output); c != EOF; c = std::fgetc(output))
+    if (c == '\n')
+      answers.emplace_back();
+    else
+      answers.back() += static_cast<char>(c);
+  EXPECT_EQ(pclose(output), 0) << command;
+  answers.pop_back();
+  return answers;
+}
+
+void expect_valid(const std::string& schema, const std::vector<Case>& cases) {
+  const auto answers = validate(schema, cases);
+  ASSERT_EQ(answers.size(), cases.size());
+  for (std::size_t k = 0; k < cases.size(); ++k) EXPECT_EQ(answers[k], "valid") << cases[k].what;
+}
+
+// What to do to a document, and the place that validation must name.
+struct Damage {
+  std::string what, place;
+  std::function<void(Json&)> apply;
+};
+
+void expect_refused(const std::string& schema, const std::string& text, const std::vector<Damage>& damages) {
+  std::vector<Case> cases;
+  for (const Damage& damage : damages) {
+    Json document = Json::parse(text);
+    damage.apply(document);
+    cases.push_back({damage.what, document.dump()});
+  }
+  const auto answers = validate(schema, cases);
+  ASSERT_EQ(answers.size(), cases.size());
+  for (std::size_t k = 0; k < cases.size(); ++k)
+    EXPECT_TRUE(answers[k].starts_with(damages[k].place + ": ")) << damages[k].what << ": " << answers[k];
+}
+
+TEST(Schemas, ReportsAsWrittenAreValid) {
+  Report bare = sample::report();
+  bare.scene.reset();
+  bare.variant.reset();
+  bare.particles.reset();
+  bare.step.reset();
+  bare.machine = "h100";
+  expect_valid("report-1.schema.json",
+               {{"of a scene", report_json(sample::report())}, {"of a launch file", report_json(bare)}});
+}
+
+TEST(Schemas, BrokenReportsAreRefused) {
+  expect_refused(
+      "report-1.schema.json", report_json(sample::report()),
+      {{"another version", "$.format", [](Json& d) { d["format"] = "warpgrain.report/2"; }},
+       {"no limits", "$", [](Json& d) { d.erase("limits"); }},
+       {"an unknown key", "$.launches[1].totals",
+        [](Json& d) { d["launches"][1]["totals"]["occupancy"] = 1; }},
+       {"a missing total", "$.launches[0].totals",
+        [](Json& d) { d["launches"][0]["totals"].erase("branches"); }},
+       {"a negative count", "$.launches[0].warps", [](Json& d) { d["launches"][0]["warps"] = -2; }},
+       {"half an instruction", "$.launches[0].totals.sfu_instructions",
+        [](Json& d) { d["launches"][0]["totals"]["sfu_instructions"] = 0.5; }},
+       {"a ratio above 1", "$.launches[0].totals.simt_efficiency",
+        [](Json& d) { d["launches"][0]["totals"]["simt_efficiency"] = 1.01; }},
+       {"NaN as null", "$.launches[0].totals.active_lanes",
+        [](Json& d) { d["launches"][0]["totals"]["active_lanes"] = nullptr; }},
+       {"an unknown class", "$.launches[0].totals.instruction_mix",
+        [](Json& d) {
+          d["launches"][0]["totals"]["instruction_mix"]["tensor"] = {{"warp", 1}, {"thread", 1}};
+        }},
+       {"two sizes", "$.launches[2].local_size",
+        [](Json& d) {
+          d["launches"][2]["local_size"] = {8, 1};
+        }},
+       {"an unknown policy", "$.launches[0].policy", [](Json& d) { d["launches"][0]["policy"] = "min_sp"; }},
+       {"no text at first", "$.launches[0].source",
+        [](Json& d) { d["launches"][0]["source"].erase("text"); }},
+       {"a hash of another kind", "$.launches[0].source.hash",
+        [](Json& d) { d["launches"][0]["source"]["hash"] = "d41d8cd98f00b204e9800998ecf8427e"; }},
+       {"no launches", "$.launches", [](Json& d) { d["launches"] = Json::array(); }}});
+}
+
+TEST(Schemas, Runs) {
+  const std::string run = run_json(sample::run());
+  expect_valid("run-1.schema.json", {{"as written", run}});
+  expect_refused(
+      "run-1.schema.json", run,
+      {{"no particles", "$.particles", [](Json& d) { d["particles"] = 0; }},
+       {"an unknown back end", "$.backend", [](Json& d) { d["backend"] = "vulkan"; }},
+       {"an unknown end", "$.ended_by", [](Json& d) { d["ended_by"] = "boredom"; }},
+       {"negative kinetic energy", "$.energy[1].rotational",
+        [](Json& d) { d["energy"][1]["rotational"] = -1e-9; }},
+       {"a kernel without calls", "$.kernels[0]", [](Json& d) { d["kernels"][0].erase("calls"); }}});
+}
+
+TEST(Schemas, Sweeps) {
+  const std::string sweep = sweep_json(sample::sweep());
+  expect_valid("sweep-1.schema.json", {{"as written", sweep}});
+  expect_refused(
+      "sweep-1.schema.json", sweep,
+      {{"an unknown status", "$.cases[0].status", [](Json& d) { d["cases"][0]["status"] = "fine"; }},
+       {"a failure without a reason", "$.cases[1]", [](Json& d) { d["cases"][1].erase("message"); }},
+       {"a headline of no report", "$.cases[0]", [](Json& d) { d["cases"][0].erase("report_file"); }},
+       {"no time at all", "$.cases[0].backends[0].seconds_per_step",
+        [](Json& d) { d["cases"][0]["backends"][0]["seconds_per_step"] = 0; }},
+       {"half an error", "$.cases[0].backends[0].force_error",
+        [](Json& d) { d["cases"][0]["backends"][0]["force_error"].erase("maximum"); }}});
+}
+
+// contracts.md's example of a scene.
+constexpr const char* scene =
+    R"({ "format": "warpgrain.scene/1", "name": "two_spheres", "gravity": [0, 0, -9.81],
+  "model": { "contact": "practical", "slip_history": "clip", "normal_force": "signed" },
+  "materials": [ { "name": "glass", "density": 2500, "youngs_modulus": 1e7, "poisson_ratio": 0.3 } ],
+  "contacts": [ { "between": ["glass", "glass"], "restitution": 0.8, "friction": 0.5 } ],
+  "particles": [ { "material": "glass", "radius": 0.005, "position": [0,0,0], "velocity": [0,0,1],
+                   "angular_velocity": [0,0,0] } ],
+  "walls": [ { "material": "glass", "plane": { "point": [0,0,-1], "normal": [0,0,1] } },
+             { "material": "glass", "rectangle": { "corner": [0,0,0], "edges": [[1,0,0],[0,1,0]] } } ],
+  "time": { "step": "auto", "end": { "steps": 1000 } } })";
+
+TEST(Schemas, Scenes) {
+  expect_valid("scene-1.schema.json", {{"the example", scene}});
+  expect_refused(
+      "scene-1.schema.json", scene,
+      {{"an unknown key", "$", [](Json& d) { d["gravitation"] = 1; }},
+       {"a radius of zero", "$.particles", [](Json& d) { d["particles"][0]["radius"] = 0; }},
+       {"two ends", "$.time.end", [](Json& d) { d["time"]["end"]["time"] = 1; }},
+       {"neither restitution nor damping", "$.contacts[0]",
+        [](Json& d) { d["contacts"][0].erase("restitution"); }},
+       {"an unknown history", "$.model.slip_history", [](Json& d) { d["model"]["slip_history"] = "none"; }},
+       {"two shapes", "$.walls[0]",
+        [](Json& d) { d["walls"][0]["rectangle"] = d["walls"][1]["rectangle"]; }}});
+}
+
+}  // namespace
+}  // namespace warpgrain::reports

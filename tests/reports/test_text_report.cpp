@@ -1,0 +1,62 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "reports/text_report.hpp"
+#include "sample.hpp"
+
+namespace warpgrain::reports {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(TextReport, SaysWhatWasProfiledAndItsTotals) {
+  const std::string text = text_report(sample::report());
+  EXPECT_THAT(text, HasSubstr("slit, branchy/cells/cell/fp32/default, 16,384 particles, step 4,000\n"));
+  EXPECT_THAT(
+      text,
+      HasSubstr("force          2            0.812           3.2                 32              50.0 %"));
+  EXPECT_THAT(text, HasSubstr("all            3"));
+}
+
+TEST(TextReport, SharesTheLossAmongBranches) {
+  const std::string text = text_report(sample::report());
+  EXPECT_THAT(
+      text,
+      HasSubstr("force: where lanes idled, of 24 lost lane slots\n"
+                "  100.0 %  contact test  (contact/law.cl:2)  lanes disagreed in 50.0 % of 4 executions\n"));
+}
+
+TEST(TextReport, QuotesTheHottestLines) {
+  const std::string text = text_report(sample::report());
+  EXPECT_THAT(
+      text,
+      HasSubstr("   62.5 %   4.0 lanes  contact/law.cl:2  if (i < 2 && i > -1)  // branch: contact test\n"
+                "   37.5 %   2.0 lanes  contact/law.cl:3  force[i] = sqrt(overlap) /* <&> */;\n"));
+}
+
+TEST(TextReport, CountsWarpsThatAreNotFull) {
+  Report report = sample::report();
+  report.launches[0].counters.branches.clear();
+  report.launches[0].counters.lane_slots_never_used = 12;
+  EXPECT_THAT(text_report(report), HasSubstr("sort: where lanes idled, of 12 lost lane slots\n"
+                                             "  100.0 %  warps that are not full from the start\n"));
+}
+
+TEST(TextReport, LimitsItsDetails) {
+  const std::string text = text_report(sample::report(), {.kernels = 1, .branches = 1, .lines = 1});
+  EXPECT_THAT(text, Not(HasSubstr("sort: ")));
+  EXPECT_THAT(text, Not(HasSubstr("contact/law.cl:3")));
+}
+
+TEST(TextReport, WithoutASceneTheKernelsAreTheTitle) {
+  Report report = sample::report();
+  report.scene.reset();
+  report.variant.reset();
+  report.particles.reset();
+  report.step.reset();
+  EXPECT_THAT(text_report(report), testing::StartsWith("sort, force\n"));
+}
+
+}  // namespace
+}  // namespace warpgrain::reports
