@@ -1,7 +1,5 @@
 // The JSON Schemas under docs/schemas against documents as the program writes them, and against broken ones.
 
-#include <array>
-#include <cstdio>
 #include <functional>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -10,6 +8,7 @@
 
 #include "reports/atomic_file.hpp"
 #include "reports/report_json.hpp"
+#include "run_python.hpp"
 #include "sample.hpp"
 #include "temporary_folder.hpp"
 
@@ -24,30 +23,15 @@ struct Case {
   std::string text;
 };
 
-// Runs tests/reports/validate.py: one answer a document, "valid" or what is wrong.
+// One answer a document: "valid", or what is wrong.
 std::vector<std::string> validate(const std::string& schema, const std::vector<Case>& cases) {
   const TemporaryFolder folder;
-  // Debian's interpreter has Debian's jsonschema; `python3` may be another one.
-  std::string command = "/usr/bin/python3 " WARPGRAIN_SOURCE_DIR
-                        "/tests/reports/validate.py " WARPGRAIN_SOURCE_DIR "/docs/schemas/" +
-                        schema;
-  for (std::size_t k = 0; k < cases.size(); ++k) {
-    const auto file = folder / (std::to_string(k) + ".json");
-    write_file_atomically(file, cases[k].text);
-    command += ' ';
-    command += file.string();
+  std::vector<std::filesystem::path> files{WARPGRAIN_SOURCE_DIR "/docs/schemas/" + schema};
+  for (const Case& document : cases) {
+    files.push_back(folder / (std::to_string(files.size()) + ".json"));
+    write_file_atomically(files.back(), document.text);
   }
-  FILE* output = popen(command.c_str(), "r");
-  if (output == nullptr) return {};
-  std::vector<std::string> answers(1);
-  for (int c = std::fgetc(output); c != EOF; c = std::fgetc(output))
-    if (c == '\n')
-      answers.emplace_back();
-    else
-      answers.back() += static_cast<char>(c);
-  EXPECT_EQ(pclose(output), 0) << command;
-  answers.pop_back();
-  return answers;
+  return run_python("validate.py", files);
 }
 
 void expect_valid(const std::string& schema, const std::vector<Case>& cases) {

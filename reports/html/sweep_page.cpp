@@ -1,0 +1,83 @@
+#include "reports/html/sweep_page.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fmt/format.h>
+
+#include "reports/html/page.hpp"
+#include "reports/html/table.hpp"
+#include "reports/sweep_columns.hpp"
+
+namespace warpgrain::reports {
+namespace {
+
+html::Cell variant_cell(const SweepCase& sweep_case) {
+  const std::string name = fmt::format("<span class=\"mono\">{}</span>", html::escape(sweep_case.variant));
+  if (!sweep_case.report_file) return {name, {}, {}};
+  const std::string page = std::filesystem::path(*sweep_case.report_file).replace_extension(".html").string();
+  return {fmt::format("<a href=\"{}\">{}</a>", html::escape(page), name), {}, {}};
+}
+
+// Each column is shaded from its smallest to its largest value.
+html::Cell value_cell(const SweepColumn& column, const SweepCase& sweep_case, double smallest,
+                      double largest) {
+  const std::optional<double> value = column.value(sweep_case);
+  html::Cell cell = html::text_cell(column.text(sweep_case));
+  if (!value) return cell;
+  cell.sort_by = value;
+  if (largest > smallest) cell.heat = (*value - smallest) / (largest - smallest);
+  return cell;
+}
+
+html::Table table_of(const SweepIndex& index) {
+  std::vector<html::Table::Column> columns{{"variant", "", true}};
+  std::vector<std::pair<double, double>> ranges;  // one a column
+  for (const SweepColumn& column : sweep_columns()) {
+    columns.push_back({std::string(column.heading), std::string(column.explanation)});
+    std::vector<double> values;
+    for (const SweepCase& sweep_case : index.cases)
+      if (const auto value = column.value(sweep_case)) values.push_back(*value);
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    ranges.emplace_back(values.empty() ? 0 : *low, values.empty() ? 0 : *high);
+  }
+  html::Table table(columns);
+  for (const SweepCase& sweep_case : index.cases) {
+    std::vector<html::Cell> row{variant_cell(sweep_case)};
+    for (std::size_t c = 0; c < ranges.size(); ++c)
+      row.push_back(value_cell(sweep_columns()[c], sweep_case, ranges[c].first, ranges[c].second));
+    table.add_row(row);
+  }
+  return table;
+}
+
+std::string list_of(std::string_view heading, const std::vector<std::string>& lines) {
+  if (lines.empty()) return {};
+  std::string html = fmt::format("<h2>{}</h2>\n<ul>\n", heading);
+  for (const std::string& line : lines) html += fmt::format("<li>{}</li>\n", html::escape(line));
+  return html + "</ul>\n";
+}
+
+}  // namespace
+
+std::string sweep_page(const SweepIndex& index) {
+  const std::string title = title_of(index);
+  std::string body = fmt::format(
+      "<h1>{}</h1>\n<p class=\"soft\">Variant sweep; click a heading to sort, point at it for "
+      "its meaning.</p>\n{}",
+      html::escape(title), table_of(index).html());
+  body += "<h2>Columns</h2>\n<dl>\n";
+  for (const SweepColumn& column : sweep_columns())
+    body += fmt::format("<dt>{}</dt><dd>{}</dd>\n", html::escape(column.heading),
+                        html::escape(column.explanation));
+  body += "</dl>\n";
+  body += list_of("Not done", troubles_of(index));
+  body += list_of("Devices", devices_of(index));
+  body += fmt::format(
+      "<h2>Where these numbers come from</h2>\n<dl><dt>warpgrain</dt><dd><code>{}, revision {}</code></dd>"
+      "<dt>command</dt><dd><code>{}</code></dd></dl>\n",
+      html::escape(index.generator.version), html::escape(index.generator.git_revision),
+      html::escape(index.command_line));
+  return html::page(title, body);
+}
+
+}  // namespace warpgrain::reports

@@ -1,0 +1,65 @@
+#include "reports/html/table.hpp"
+
+#include <fmt/format.h>
+#include <utility>
+
+#include "core/error.hpp"
+#include "reports/html/page.hpp"
+#include "reports/number_text.hpp"
+
+namespace warpgrain::reports::html {
+
+Cell text_cell(std::string_view text) { return {escape(text), {}, {}}; }
+
+Cell count_cell(std::uint64_t count) { return {count_text(count), static_cast<double>(count), {}}; }
+
+Cell number_cell(double value, int decimals) { return {fixed_text(value, decimals), value, {}}; }
+
+Cell share_cell(double part, double whole) {
+  const double share = whole == 0 ? 0 : part / whole;
+  return {fmt::format("{}<span class=\"bar\"><i style=\"--h:{:.4f}\"></i></span>", percent_text(part, whole),
+                      share),
+          share,
+          {}};
+}
+
+Cell optional_cell(std::optional<double> value, int decimals) {
+  return value ? number_cell(*value, decimals) : Cell{"-", {}, {}};
+}
+
+Table::Table(std::vector<Column> columns) : columns_(std::move(columns)) {}
+
+void Table::add_row(std::vector<Cell> cells) {
+  if (cells.size() != columns_.size())
+    throw_input_error("table row", fmt::format("{} cells", cells.size()), fmt::format("{}", columns_.size()));
+  rows_.push_back(std::move(cells));
+}
+
+void Table::set_footer(std::vector<Cell> cells) { footer_ = std::move(cells); }
+
+std::string Table::row_html(const std::vector<Cell>& cells) const {
+  std::string html = "<tr>";
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    const Cell& cell = cells[c];
+    std::string attributes;
+    if (columns_[c].is_text) attributes += " class=\"text\"";
+    if (cell.sort_by) attributes += fmt::format(" data-v=\"{}\"", *cell.sort_by);
+    if (cell.heat) attributes += fmt::format(" class=\"heat\" style=\"--h:{:.3f}\"", *cell.heat);
+    html += fmt::format("<td{}>{}</td>", attributes, cell.html);
+  }
+  return html + "</tr>\n";
+}
+
+std::string Table::html() const {
+  std::string html = "<div class=\"scroll\"><table class=\"sortable\">\n<thead><tr>";
+  for (const Column& column : columns_)
+    html += fmt::format("<th{} title=\"{}\">{}</th>", column.is_text ? " class=\"text\"" : "",
+                        escape(column.explanation), escape(column.heading));
+  html += "</tr></thead>\n<tbody>\n";
+  for (const auto& row : rows_) html += row_html(row);
+  html += "</tbody>\n";
+  if (!footer_.empty()) html += "<tfoot>" + row_html(footer_) + "</tfoot>\n";
+  return html + "</table></div>\n";
+}
+
+}  // namespace warpgrain::reports::html

@@ -1,0 +1,45 @@
+#pragma once
+// Tables whose headings explain themselves and sort the rows when clicked.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace warpgrain::reports::html {
+
+struct Cell {
+  std::string html;
+  std::optional<double> sort_by;  // none: the text
+  std::optional<double> heat;     // 0 to 1: shade of the background
+};
+
+Cell text_cell(std::string_view text);  // escaped
+Cell count_cell(std::uint64_t count);
+Cell number_cell(double value, int decimals);
+Cell share_cell(double part, double whole);                     // a percentage and a bar
+Cell optional_cell(std::optional<double> value, int decimals);  // "-" for none
+
+class Table {
+ public:
+  struct Column {
+    std::string heading;
+    std::string explanation;  // shown on hovering
+    bool is_text = false;     // left-aligned
+  };
+
+  explicit Table(std::vector<Column> columns);
+  void add_row(std::vector<Cell> cells);     // one a column
+  void set_footer(std::vector<Cell> cells);  // one a column; stays below when sorting
+  std::string html() const;
+
+ private:
+  std::string row_html(const std::vector<Cell>& cells) const;
+
+  std::vector<Column> columns_;
+  std::vector<std::vector<Cell>> rows_;
+  std::vector<Cell> footer_;
+};
+
+}  // namespace warpgrain::reports::html

@@ -1,0 +1,32 @@
+#pragma once
+// The parts of a report's page, one a file. Each returns HTML.
+
+#include <string>
+#include <vector>
+
+#include "reports/report.hpp"
+#include "reports/summary.hpp"
+
+namespace warpgrain::reports::html {
+
+// The numbers that are asked for first, each with its definition and Nsight Compute's name.
+std::string headline_view(const std::vector<KernelSummary>& kernels);
+
+// Totals of every kernel, and of every launch when there are more launches than kernels.
+std::string kernels_view(const Report& report, const std::vector<KernelSummary>& kernels);
+
+// Warp instructions by number of active lanes, a bar each, as SVG.
+std::string histogram_view(const profiler::LaunchCounters& counters);
+
+// Branches by lost lane slots.
+std::string branches_view(const KernelSummary& kernel);
+
+// The source, line by line, with what each line cost. Stretches that made no instruction are left out.
+std::string source_view(const KernelSummary& kernel);
+
+std::string instruction_mix_view(const profiler::Totals& totals);
+
+// Where the numbers come from and what they do not say.
+std::string provenance_view(const Report& report);
+
+}  // namespace warpgrain::reports::html

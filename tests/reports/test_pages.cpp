@@ -1,0 +1,91 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "reports/atomic_file.hpp"
+#include "reports/html/page.hpp"
+#include "reports/html/report_page.hpp"
+#include "reports/html/sweep_page.hpp"
+#include "reports/metrics.hpp"
+#include "run_python.hpp"
+#include "sample.hpp"
+#include "temporary_folder.hpp"
+
+namespace warpgrain::reports {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(Pages, EscapeWhatHtmlTakesForItself) {
+  EXPECT_EQ(html::escape("<a href='x'>\"&\""), "&lt;a href=&#39;x&#39;&gt;&quot;&amp;&quot;");
+  EXPECT_EQ(html::escape("a\tb\x01"), "a\tb\xEF\xBF\xBD");
+}
+
+TEST(Pages, AreWellFormedWhateverNamesHold) {
+  Report report = sample::report();
+  report.variant = "<script>alert('&')</script>";
+  for (LaunchReport& launch : report.launches) {
+    launch.counters.kernel += "<&>";
+    launch.counters.branches[0].label = "a < b && \"c\" \x02";
+    launch.counters.lines.push_back({"</td>.h", 7, sample::totals(1, 0)});
+  }
+  SweepIndex sweep = sample::sweep();
+  sweep.cases[1].message = "<&>";
+  const TemporaryFolder folder;
+  write_file_atomically(folder / "report.html", report_page(report));
+  write_file_atomically(folder / "sweep.html", sweep_page(sweep));
+  EXPECT_THAT(run_python("well_formed.py", {folder / "report.html", folder / "sweep.html"}),
+              testing::ElementsAre("well-formed", "well-formed"));
+}
+
+TEST(Pages, NeedNothingFromOutside) {
+  for (const std::string& page : {report_page(sample::report()), sweep_page(sample::sweep())})
+    EXPECT_THAT(page, AllOf(Not(HasSubstr("http:")), Not(HasSubstr("https:")), Not(HasSubstr("src=")),
+                            Not(HasSubstr("url(")), Not(HasSubstr("@import")), Not(HasSubstr("<link"))));
+}
+
+TEST(Pages, SayHeadlineNumbersWithDefinitionsAndNcuNames) {
+  const std::string page = report_page(sample::report());
+  for (const char* key : {"simt_efficiency", "active_lanes", "divergent_branches", "sfu_instructions"}) {
+    EXPECT_THAT(page, HasSubstr(html::escape(metric(key).definition)));
+    EXPECT_THAT(page, HasSubstr(std::string(metric(key).ncu_metric)));
+  }
+  EXPECT_THAT(page, HasSubstr("<div class=\"value\">0.812</div>"));
+}
+
+TEST(Pages, ShadeTheSourceAndLeaveOutWhatMadeNoInstruction) {
+  Report report = sample::report();
+  for (LaunchReport& launch : report.launches) launch.source.text += std::string(20, '\n');
+  const std::string page = report_page(report);
+  EXPECT_THAT(page, HasSubstr("<td class=\"number\">3</td><td class=\"code\">    force[i] = sqrt(overlap) /* "
+                              "&lt;&amp;&gt; */;</td>"
+                              "<td class=\"heat\" style=\"--h:0.600\">12</td>"
+                              "<td class=\"heat\" style=\"--h:0.500\">2.0</td>"
+                              "<td class=\"heat\" style=\"--h:1.000\">24</td>"
+                              "<td class=\"heat\" style=\"--h:1.000\">12</td><td></td></tr>"));
+  EXPECT_THAT(page, HasSubstr("19 lines without instructions"));
+}
+
+TEST(Pages, ShowLinesOfNoSource) {
+  Report report = sample::report();
+  report.launches.resize(1);
+  report.launches[0].counters.lines.push_back({"builtin.h", 70, sample::totals(1, 0)});
+  report.launches[0].counters.lines.push_back({"", 0, sample::totals(1, 0)});
+  EXPECT_THAT(report_page(report), AllOf(HasSubstr("not in this source"), HasSubstr("builtin.h"),
+                                         HasSubstr("instructions without a line")));
+}
+
+TEST(Pages, StateTheLimits) {
+  const std::string page = report_page(sample::report());
+  for (const std::string& limit : simulator_limits()) EXPECT_THAT(page, HasSubstr(html::escape(limit)));
+}
+
+TEST(Pages, SweepsLinkToTheirReportsAndSayWhatFailed) {
+  const std::string page = sweep_page(sample::sweep());
+  EXPECT_THAT(page, HasSubstr("href=\"branchy_cells_cell_fp32_default.html\""));
+  EXPECT_THAT(page, HasSubstr("failed: step 12: particle 7 left the domain"));
+}
+
+}  // namespace
+}  // namespace warpgrain::reports
