@@ -92,6 +92,13 @@ std::optional<JsonReader> JsonReader::maybe(std::string_view key) const {
   return child(*found, path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key));
 }
 
+std::vector<std::string> JsonReader::keys() const {
+  if (!value_->is_object()) fail(quoted(), "an object");
+  std::vector<std::string> keys;
+  for (const auto& [key, unused] : value_->items()) keys.push_back(key);
+  return keys;
+}
+
 std::vector<JsonReader> JsonReader::elements() const {
   if (!value_->is_array()) fail(quoted(), "an array");
   std::vector<JsonReader> result;

@@ -33,6 +33,7 @@ class JsonReader {
   bool has(std::string_view key) const;
   JsonReader at(std::string_view key) const;                    // fails when it is missing
   std::optional<JsonReader> maybe(std::string_view key) const;  // empty when it is missing
+  std::vector<std::string> keys() const;                        // of an object
   bool is_array() const { return value_->is_array(); }
   bool is_string() const { return value_->is_string(); }
   std::vector<JsonReader> elements() const;  // of an array

@@ -5,8 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "core/error.hpp"
-#include "reports/json_place.hpp"
+#include "reports/json_fields.hpp"
 
 namespace warpgrain::reports {
 namespace {
@@ -51,20 +50,26 @@ void for_each_access(Visit visit) {
         visit(fmt::format("{}_{}", kind.prefix, count.suffix), kind.counters, count.count);
 }
 
-InstructionClass class_named(const std::string& where, std::string_view name) {
-  std::array<std::string_view, profiler::n_instruction_classes> names;
-  for (std::size_t c = 0; c < names.size(); ++c) {
-    names[c] = profiler::instruction_class_name(static_cast<InstructionClass>(c));
-    if (names[c] == name) return static_cast<InstructionClass>(c);
+// Every instruction is of one class: a mix that adds up to something else holds an unknown class or was cut.
+void read_mix(const JsonReader& mix, Totals& totals) {
+  std::uint64_t warp = 0, thread = 0;
+  for (std::size_t c = 0; c < totals.instruction_mix.size(); ++c) {
+    const auto count = mix.maybe(profiler::instruction_class_name(static_cast<InstructionClass>(c)));
+    if (!count) continue;
+    totals.instruction_mix[c] = {count->at("warp").whole_number(), count->at("thread").whole_number()};
+    warp += totals.instruction_mix[c].warp;
+    thread += totals.instruction_mix[c].thread;
   }
-  throw_unknown_name(where, "instruction class", name, names);
+  if (warp != totals.warp_instructions || thread != totals.thread_instructions)
+    mix.fail(fmt::format("adds up to {} warp and {} thread instructions", warp, thread),
+             fmt::format("{} and {}", totals.warp_instructions, totals.thread_instructions));
 }
 
-std::vector<std::uint64_t> histogram_from(const JsonPlace& place, std::uint32_t warp_width) {
-  std::vector<std::uint64_t> histogram = place.counts();
+std::vector<std::uint64_t> histogram_from(const JsonReader& place, std::uint32_t warp_width) {
+  std::vector<std::uint64_t> histogram = whole_numbers(place);
   if (histogram.size() != warp_width + 1u)
-    throw_input_error(place.where(), fmt::format("{} entries", histogram.size()),
-                      fmt::format("{}, one for each number of active lanes from 0", warp_width + 1));
+    place.fail(fmt::format("{} entries", histogram.size()),
+               fmt::format("{}, one for each number of active lanes from 0", warp_width + 1));
   return histogram;
 }
 
@@ -91,20 +96,18 @@ Json to_json(const Totals& totals, std::uint32_t warp_width) {
   return json;
 }
 
-Totals totals_from(const JsonPlace& place, std::uint32_t warp_width) {
+Totals totals_from(const JsonReader& place, std::uint32_t warp_width) {
   Totals totals;
-  totals.warp_instructions = place["warp_instructions"].count();
-  totals.thread_instructions = place["thread_instructions"].count();
-  totals.lane_histogram = histogram_from(place["lane_histogram"], warp_width);
-  totals.branches = place["branches"].count();
-  totals.divergent_branches = place["divergent_branches"].count();
-  totals.sfu_instructions = place["sfu_instructions"].count();
-  const JsonPlace mix = place["instruction_mix"];
-  for (const auto& [name, count] : mix.members())
-    totals.instruction_mix[static_cast<std::size_t>(class_named(mix.where(), name))] = {
-        count["warp"].count(), count["thread"].count()};
-  for_each_access(
-      [&](const std::string& key, auto kind, auto count) { totals.*kind.*count = place[key].count(); });
+  totals.warp_instructions = place.at("warp_instructions").whole_number();
+  totals.thread_instructions = place.at("thread_instructions").whole_number();
+  totals.lane_histogram = histogram_from(place.at("lane_histogram"), warp_width);
+  totals.branches = place.at("branches").whole_number();
+  totals.divergent_branches = place.at("divergent_branches").whole_number();
+  totals.sfu_instructions = place.at("sfu_instructions").whole_number();
+  read_mix(place.at("instruction_mix"), totals);
+  for_each_access([&](const std::string& key, auto kind, auto count) {
+    totals.*kind.*count = place.at(key).whole_number();
+  });
   return totals;
 }
 
@@ -112,8 +115,9 @@ Json to_json(const LineTotals& line, std::uint32_t warp_width) {
   return {{"file", line.file}, {"line", line.line}, {"totals", to_json(line.totals, warp_width)}};
 }
 
-LineTotals line_from(const JsonPlace& place, std::uint32_t warp_width) {
-  return {place["file"].text(), place["line"].count32(), totals_from(place["totals"], warp_width)};
+LineTotals line_from(const JsonReader& place, std::uint32_t warp_width) {
+  return {place.at("file").string(), whole_number32(place.at("line")),
+          totals_from(place.at("totals"), warp_width)};
 }
 
 Json to_json(const BranchTotals& branch) {
@@ -128,16 +132,16 @@ Json to_json(const BranchTotals& branch) {
           {"lane_slots_lost", branch.lane_slots_lost}};
 }
 
-BranchTotals branch_from(const JsonPlace& place) {
-  return {.file = place["file"].text(),
-          .line = place["line"].count32(),
-          .label = place["label"].text(),
-          .block = place["block"].count32(),
-          .executions = place["executions"].count(),
-          .divergent = place["divergent"].count(),
-          .lanes = place["lanes"].count(),
-          .taken_lanes = place["taken_lanes"].count(),
-          .lane_slots_lost = place["lane_slots_lost"].count()};
+BranchTotals branch_from(const JsonReader& place) {
+  return {.file = place.at("file").string(),
+          .line = whole_number32(place.at("line")),
+          .label = place.at("label").string(),
+          .block = whole_number32(place.at("block")),
+          .executions = place.at("executions").whole_number(),
+          .divergent = place.at("divergent").whole_number(),
+          .lanes = place.at("lanes").whole_number(),
+          .taken_lanes = place.at("taken_lanes").whole_number(),
+          .lane_slots_lost = place.at("lane_slots_lost").whole_number()};
 }
 
 Json to_json(const BlockTotals& block) {
@@ -147,11 +151,11 @@ Json to_json(const BlockTotals& block) {
           {"lane_histogram", block.lane_histogram}};
 }
 
-BlockTotals block_from(const JsonPlace& place, std::uint32_t warp_width) {
-  return {.block = place["block"].count32(),
-          .label = place["label"].text(),
-          .executions = place["executions"].count(),
-          .lane_histogram = histogram_from(place["lane_histogram"], warp_width)};
+BlockTotals block_from(const JsonReader& place, std::uint32_t warp_width) {
+  return {.block = whole_number32(place.at("block")),
+          .label = place.at("label").string(),
+          .executions = place.at("executions").whole_number(),
+          .lane_histogram = histogram_from(place.at("lane_histogram"), warp_width)};
 }
 
 }  // namespace warpgrain::reports

@@ -30,8 +30,13 @@ bool has_only_scalars(const Json& value) {
   return std::none_of(value.begin(), value.end(), [](const Json& child) { return child.is_structured(); });
 }
 
+bool has_only_numbers(const Json& value) {
+  return value.is_array() &&
+         std::all_of(value.begin(), value.end(), [](const Json& child) { return child.is_number(); });
+}
+
 void append(std::string& text, const Json& value, std::size_t indent) {
-  if (!value.is_structured() || (value.is_array() && has_only_scalars(value))) {
+  if (!value.is_structured() || has_only_numbers(value)) {
     text += one_line(value);
     return;
   }

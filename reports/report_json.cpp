@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <fmt/format.h>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "core/error.hpp"
 #include "reports/counters_json.hpp"
-#include "reports/json_place.hpp"
+#include "reports/json_fields.hpp"
 #include "reports/json_text.hpp"
-#include "reports/provenance_json.hpp"
 
 namespace warpgrain::reports {
 namespace {
@@ -48,50 +47,52 @@ Json launch_json(const LaunchReport& launch, bool with_text) {
 }
 
 template <class Integer>
-std::array<Integer, 3> size_from(const JsonPlace& place) {
-  const std::vector<std::uint64_t> sizes = place.counts();
+std::array<Integer, 3> size_from(const JsonReader& place) {
+  const std::vector<std::uint64_t> sizes = whole_numbers(place);
   if (sizes.size() != 3 || std::any_of(sizes.begin(), sizes.end(), [](std::uint64_t size) {
         return size == 0 || size > std::numeric_limits<Integer>::max();
       }))
-    place.refuse("three sizes of at least 1");
+    place.fail("no size", "three sizes of at least 1");
   return {static_cast<Integer>(sizes[0]), static_cast<Integer>(sizes[1]), static_cast<Integer>(sizes[2])};
 }
 
 // Sources of earlier launches by hash; texts stand once in a report.
 using Texts = std::map<std::string, std::string>;
 
-SourceText source_from(const JsonPlace& place, Texts& texts) {
-  SourceText source{.name = place["name"].text(),
+SourceText source_from(const JsonReader& place, Texts& texts) {
+  SourceText source{.name = place.at("name").string(),
                     .text = {},
-                    .hash = place["hash"].text(),
-                    .compiler = place["compiler"].text(),
-                    .command = place["command"].text()};
-  if (const auto text = place.optional_text("text")) texts[source.hash] = *text;
+                    .hash = place.at("hash").string(),
+                    .compiler = place.at("compiler").string(),
+                    .command = place.at("command").string()};
+  if (const auto text = optional_string(place, "text")) texts[source.hash] = *text;
   const auto found = texts.find(source.hash);
-  if (found == texts.end()) place.refuse("a text, as no launch before it has a source of this hash");
+  if (found == texts.end())
+    place.fail("'text' is missing", "it, as no launch before has a source of this hash");
   source.text = found->second;
   return source;
 }
 
-LaunchReport launch_from(const JsonPlace& place, Texts& texts) {
+LaunchReport launch_from(const JsonReader& place, Texts& texts) {
   LaunchReport launch;
   profiler::LaunchCounters& counters = launch.counters;
-  counters.kernel = place["kernel"].text();
-  counters.shape.global_size = size_from<std::uint64_t>(place["global_size"]);
-  counters.shape.local_size = size_from<std::uint32_t>(place["local_size"]);
-  counters.warp_width = place["warp_width"].count32();
-  if (counters.warp_width == 0 || counters.warp_width > 64) place["warp_width"].refuse("1 to 64 lanes");
-  counters.policy = place["policy"].text();
-  counters.warps = place["warps"].count();
-  counters.totals = totals_from(place["totals"], counters.warp_width);
-  counters.lane_slots_never_used = place["lane_slots_never_used"].count();
-  for (const JsonPlace& branch : place["branches"].elements())
+  counters.kernel = place.at("kernel").string();
+  counters.shape.global_size = size_from<std::uint64_t>(place.at("global_size"));
+  counters.shape.local_size = size_from<std::uint32_t>(place.at("local_size"));
+  counters.warp_width = whole_number32(place.at("warp_width"));
+  if (counters.warp_width == 0 || counters.warp_width > 64)
+    place.at("warp_width").fail(fmt::format("{}", counters.warp_width), "1 to 64");
+  counters.policy = place.at("policy").string();
+  counters.warps = place.at("warps").whole_number();
+  counters.totals = totals_from(place.at("totals"), counters.warp_width);
+  counters.lane_slots_never_used = place.at("lane_slots_never_used").whole_number();
+  for (const JsonReader& branch : place.at("branches").elements())
     counters.branches.push_back(branch_from(branch));
-  for (const JsonPlace& line : place["lines"].elements())
+  for (const JsonReader& line : place.at("lines").elements())
     counters.lines.push_back(line_from(line, counters.warp_width));
-  for (const JsonPlace& block : place["blocks"].elements())
+  for (const JsonReader& block : place.at("blocks").elements())
     counters.blocks.push_back(block_from(block, counters.warp_width));
-  launch.source = source_from(place["source"], texts);
+  launch.source = source_from(place.at("source"), texts);
   return launch;
 }
 
@@ -114,20 +115,19 @@ std::string report_json(const Report& report) {
 }
 
 Report read_report(const std::filesystem::path& file) {
-  const Json document = read_json(file);
-  const JsonPlace root = document_of_format(document, file.string(), report_format);
+  const JsonReader root = read_document(file, report_format);
   Report report;
   report.generator = generator_from(root);
-  report.command_line = root["command_line"].text();
-  report.scene = root.optional_text("scene");
-  report.variant = root.optional_text("variant");
-  report.particles = root.optional_count("particles");
-  report.step = root.optional_count("step");
-  report.machine = root.optional_text("machine");
-  report.weights = root["weights"].text();
-  for (const JsonPlace& limit : root["limits"].elements()) report.limits.push_back(limit.text());
+  report.command_line = root.at("command_line").string();
+  report.scene = optional_string(root, "scene");
+  report.variant = optional_string(root, "variant");
+  report.particles = optional_whole_number(root, "particles");
+  report.step = optional_whole_number(root, "step");
+  report.machine = optional_string(root, "machine");
+  report.weights = root.at("weights").string();
+  for (const JsonReader& limit : root.at("limits").elements()) report.limits.push_back(limit.string());
   Texts texts;
-  for (const JsonPlace& launch : root["launches"].elements())
+  for (const JsonReader& launch : root.at("launches").elements())
     report.launches.push_back(launch_from(launch, texts));
   return report;
 }

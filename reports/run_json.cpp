@@ -1,9 +1,8 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "reports/json_place.hpp"
+#include "reports/json_fields.hpp"
 #include "reports/json_text.hpp"
-#include "reports/provenance_json.hpp"
 #include "reports/run_report.hpp"
 
 namespace warpgrain::reports {
@@ -17,8 +16,8 @@ Json to_json(const RunReport::Kernel& kernel) {
   return {{"name", kernel.name}, {"calls", kernel.calls}, {"seconds", kernel.seconds}};
 }
 
-RunReport::Kernel kernel_from(const JsonPlace& place) {
-  return {place["name"].text(), place["calls"].count(), place["seconds"].number()};
+RunReport::Kernel kernel_from(const JsonReader& place) {
+  return {place.at("name").string(), place.at("calls").whole_number(), place.at("seconds").number()};
 }
 
 Json to_json(const RunReport::Energy& energy) {
@@ -31,13 +30,13 @@ Json to_json(const RunReport::Energy& energy) {
           {"total", energy.total()}};
 }
 
-RunReport::Energy energy_from(const JsonPlace& place) {
-  return {.step = place["step"].count(),
-          .time = place["time"].number(),
-          .translational = place["translational"].number(),
-          .rotational = place["rotational"].number(),
-          .gravitational = place["gravitational"].number(),
-          .elastic = place["elastic"].number()};
+RunReport::Energy energy_from(const JsonReader& place) {
+  return {.step = place.at("step").whole_number(),
+          .time = place.at("time").number(),
+          .translational = place.at("translational").number(),
+          .rotational = place.at("rotational").number(),
+          .gravitational = place.at("gravitational").number(),
+          .elastic = place.at("elastic").number()};
 }
 
 }  // namespace
@@ -67,23 +66,22 @@ std::string run_json(const RunReport& run) {
 }
 
 RunReport read_run(const std::filesystem::path& file) {
-  const Json document = read_json(file);
-  const JsonPlace root = document_of_format(document, file.string(), run_format);
+  const JsonReader root = read_document(file, run_format);
   RunReport run;
   run.generator = generator_from(root);
-  run.command_line = root["command_line"].text();
-  run.scene = root["scene"].text();
-  run.variant = root["variant"].text();
-  run.backend = root["backend"].text();
-  run.device = root["device"].text();
-  run.particles = root["particles"].count();
-  run.steps = root["steps"].count();
-  run.time_step = root["time_step"].number();
-  run.ended_by = static_cast<RunEndReason>(root["ended_by"].one_of(end_names, "end of a run"));
-  run.wall_seconds = root["wall_seconds"].number();
-  run.contacts = root["contacts"].count();
-  for (const JsonPlace& kernel : root["kernels"].elements()) run.kernels.push_back(kernel_from(kernel));
-  for (const JsonPlace& energy : root["energy"].elements()) run.energy.push_back(energy_from(energy));
+  run.command_line = root.at("command_line").string();
+  run.scene = root.at("scene").string();
+  run.variant = root.at("variant").string();
+  run.backend = root.at("backend").string();
+  run.device = root.at("device").string();
+  run.particles = root.at("particles").whole_number();
+  run.steps = root.at("steps").whole_number();
+  run.time_step = root.at("time_step").number();
+  run.ended_by = static_cast<RunEndReason>(root.at("ended_by").one_of(end_names, "end of a run"));
+  run.wall_seconds = root.at("wall_seconds").number();
+  run.contacts = root.at("contacts").whole_number();
+  for (const JsonReader& kernel : root.at("kernels").elements()) run.kernels.push_back(kernel_from(kernel));
+  for (const JsonReader& energy : root.at("energy").elements()) run.energy.push_back(energy_from(energy));
   return run;
 }
 

@@ -68,19 +68,21 @@ std::string significant(const SweepCase& c) {
 }
 
 constexpr SweepColumn columns[] = {
-    {"SIMT efficiency", "active lanes / warp width, over every launch of a step", fixed<efficiency, 3>,
+    {"SIMT efficiency", "active lanes / warp width, over every launch of a step", true, fixed<efficiency, 3>,
      efficiency},
-    {"active lanes", "thread instructions / warp instructions", fixed<active_lanes, 1>, active_lanes},
-    {"warp instructions", "instructions issued in a step, one a warp", count<warp_instructions>,
+    {"active lanes", "thread instructions / warp instructions", true, fixed<active_lanes, 1>, active_lanes},
+    {"warp instructions", "instructions issued in a step, one a warp", false, count<warp_instructions>,
      warp_instructions},
-    {"SFU instructions", "of these, on the special-function unit", count<sfu_instructions>, sfu_instructions},
-    {"sectors/load", "32-byte sectors a global load touches on average", fixed<sectors_per_load, 2>,
+    {"SFU instructions", "of these, on the special-function unit", false, count<sfu_instructions>,
+     sfu_instructions},
+    {"sectors/load", "32-byte sectors a global load touches on average", false, fixed<sectors_per_load, 2>,
      sectors_per_load},
-    {"time/step", "median wall time of a step on the opencl back end", seconds<seconds_per_step>,
+    {"time/step", "median wall time of a step on the opencl back end", false, seconds<seconds_per_step>,
      seconds_per_step},
-    {"max error", "largest force error against the double reference, of the largest force",
+    {"max error", "largest force error against the double reference, of the largest force", false,
      significant<maximum_error>, maximum_error},
-    {"rms error", "root mean square of the same over the particles", significant<rms_error>, rms_error},
+    {"rms error", "root mean square of the same over the particles", false, significant<rms_error>,
+     rms_error},
 };
 
 }  // namespace

@@ -13,6 +13,7 @@ namespace warpgrain::reports {
 struct SweepColumn {
   std::string_view heading;
   std::string_view explanation;
+  bool higher_is_better = false;
   // The value to print, "-" where the case has none, and the number to sort by, where there is one.
   std::string (*text)(const SweepCase&);
   std::optional<double> (*value)(const SweepCase&);

@@ -1,9 +1,8 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "reports/json_place.hpp"
+#include "reports/json_fields.hpp"
 #include "reports/json_text.hpp"
-#include "reports/provenance_json.hpp"
 #include "reports/sweep_index.hpp"
 
 namespace warpgrain::reports {
@@ -25,15 +24,15 @@ Json to_json(const Headline& headline) {
   return json;
 }
 
-Headline headline_from(const JsonPlace& place) {
-  return {.warp_instructions = place["warp_instructions"].count(),
-          .thread_instructions = place["thread_instructions"].count(),
-          .active_lanes = place["active_lanes"].number(),
-          .simt_efficiency = place["simt_efficiency"].number(),
-          .branches = place["branches"].count(),
-          .divergent_branches = place["divergent_branches"].count(),
-          .sfu_instructions = place["sfu_instructions"].count(),
-          .sectors_per_load = place.optional_number("sectors_per_load")};
+Headline headline_from(const JsonReader& place) {
+  return {.warp_instructions = place.at("warp_instructions").whole_number(),
+          .thread_instructions = place.at("thread_instructions").whole_number(),
+          .active_lanes = place.at("active_lanes").number(),
+          .simt_efficiency = place.at("simt_efficiency").number(),
+          .branches = place.at("branches").whole_number(),
+          .divergent_branches = place.at("divergent_branches").whole_number(),
+          .sfu_instructions = place.at("sfu_instructions").whole_number(),
+          .sectors_per_load = optional_number(place, "sectors_per_load")};
 }
 
 Json to_json(const BackendReading& reading) {
@@ -45,14 +44,14 @@ Json to_json(const BackendReading& reading) {
   return json;
 }
 
-BackendReading reading_from(const JsonPlace& place) {
-  BackendReading reading{.backend = place["backend"].text(),
-                         .device = place["device"].text(),
-                         .steps = place["steps"].count(),
-                         .seconds_per_step = place.optional_number("seconds_per_step"),
+BackendReading reading_from(const JsonReader& place) {
+  BackendReading reading{.backend = place.at("backend").string(),
+                         .device = place.at("device").string(),
+                         .steps = place.at("steps").whole_number(),
+                         .seconds_per_step = optional_number(place, "seconds_per_step"),
                          .force_error = {}};
-  if (const auto error = place.find("force_error"))
-    reading.force_error = {(*error)["maximum"].number(), (*error)["root_mean_square"].number()};
+  if (const auto error = place.maybe("force_error"))
+    reading.force_error = {error->at("maximum").number(), error->at("root_mean_square").number()};
   return reading;
 }
 
@@ -68,15 +67,16 @@ Json to_json(const SweepCase& sweep_case) {
   return json;
 }
 
-SweepCase case_from(const JsonPlace& place) {
+SweepCase case_from(const JsonReader& place) {
   SweepCase sweep_case;
-  sweep_case.variant = place["variant"].text();
-  for (const auto& [axis, value] : place["axes"].members()) sweep_case.axes[axis] = value.text();
-  sweep_case.status = static_cast<CaseStatus>(place["status"].one_of(status_names, "status"));
-  sweep_case.message = place.optional_text("message").value_or("");
-  sweep_case.report_file = place.optional_text("report_file");
-  if (const auto headline = place.find("headline")) sweep_case.headline = headline_from(*headline);
-  for (const JsonPlace& reading : place["backends"].elements())
+  sweep_case.variant = place.at("variant").string();
+  const JsonReader axes = place.at("axes");
+  for (const std::string& axis : axes.keys()) sweep_case.axes[axis] = axes.at(axis).string();
+  sweep_case.status = static_cast<CaseStatus>(place.at("status").one_of(status_names, "status"));
+  sweep_case.message = optional_string(place, "message").value_or("");
+  sweep_case.report_file = optional_string(place, "report_file");
+  if (const auto headline = place.maybe("headline")) sweep_case.headline = headline_from(*headline);
+  for (const JsonReader& reading : place.at("backends").elements())
     sweep_case.backends.push_back(reading_from(reading));
   return sweep_case;
 }
@@ -98,15 +98,15 @@ std::string sweep_json(const SweepIndex& index) {
 }
 
 SweepIndex read_sweep(const std::filesystem::path& file) {
-  const Json document = read_json(file);
-  const JsonPlace root = document_of_format(document, file.string(), sweep_format);
+  const JsonReader root = read_document(file, sweep_format);
   SweepIndex index;
   index.generator = generator_from(root);
-  index.command_line = root["command_line"].text();
-  index.scene = root["scene"].text();
-  index.particles = root["particles"].count();
-  index.step = root["step"].count();
-  for (const JsonPlace& sweep_case : root["cases"].elements()) index.cases.push_back(case_from(sweep_case));
+  index.command_line = root.at("command_line").string();
+  index.scene = root.at("scene").string();
+  index.particles = root.at("particles").whole_number();
+  index.step = root.at("step").whole_number();
+  for (const JsonReader& sweep_case : root.at("cases").elements())
+    index.cases.push_back(case_from(sweep_case));
   return index;
 }
 

@@ -14,7 +14,7 @@ using profiler::LineTotals;
 using profiler::Totals;
 
 constexpr std::size_t context = 2;  // lines without instructions that stay beside lines with some
-constexpr const char* empty_cells = "<td></td><td></td><td></td><td></td><td></td>";
+constexpr std::string_view empty_cells = "<td></td><td></td><td></td><td></td><td></td>";
 
 double lost_slots(const Totals& totals, std::uint32_t warp_width) {
   return static_cast<double>(totals.warp_instructions) * warp_width -
@@ -50,6 +50,7 @@ std::string heat_cell(const std::string& text, double value, double largest) {
 }
 
 std::string cells_of(const Totals& t, const Scale& scale, std::uint32_t warp_width) {
+  if (t.warp_instructions == 0) return std::string(empty_cells);
   const auto issued = static_cast<double>(t.warp_instructions);
   const double lost = lost_slots(t, warp_width);
   // Few active lanes are hot; the shade is the share of idle lanes.
@@ -64,6 +65,11 @@ std::string cells_of(const Totals& t, const Scale& scale, std::uint32_t warp_wid
 std::string gap_row(std::size_t lines) {
   return fmt::format("<tr class=\"gap\"><td colspan=\"7\">{} {} without instructions</td></tr>\n", lines,
                      lines == 1 ? "line" : "lines");
+}
+
+std::string row(std::string_view cells, std::uint32_t number, std::string_view code) {
+  return fmt::format("<tr>{}<td class=\"number\">{}</td><td class=\"code\">{}</td></tr>\n", cells, number,
+                     escape(code));
 }
 
 std::string file_row(std::string_view file) {
@@ -97,10 +103,8 @@ std::string source_rows(const KernelSummary& kernel, const Scale& scale, Counts&
     if (gap > 0) html += gap_row(gap);
     gap = 0;
     if (lines[k].file != file) html += file_row(file = lines[k].file);
-    html +=
-        fmt::format("<tr><td class=\"number\">{}</td><td class=\"code\">{}</td>{}</tr>\n", lines[k].line,
-                    escape(lines[k].text),
-                    totals[k] ? cells_of(totals[k]->totals, scale, kernel.counters.warp_width) : empty_cells);
+    html += row(totals[k] ? cells_of(totals[k]->totals, scale, kernel.counters.warp_width) : empty_cells,
+                lines[k].line, lines[k].text);
   }
   return gap > 0 ? html + gap_row(gap) : html;
 }
@@ -114,17 +118,14 @@ std::string source_view(const KernelSummary& kernel) {
   std::string html =
       "<h3>Source</h3>\n<p class=\"soft\">Each column is shaded by its own largest value; active lanes by "
       "how few they "
-      "are.</p>\n<div class=\"scroll\"><table class=\"source\">\n<thead><tr><th>line</th><th "
-      "class=\"text\">code</th>"
-      "<th>warp instructions</th><th>active lanes</th><th>lost lane "
-      "slots</th><th>SFU</th><th>sectors</th></tr></thead>\n"
-      "<tbody>\n";
+      "are.</p>\n<div class=\"scroll\"><table class=\"source\">\n<thead><tr><th>warp instructions</th>"
+      "<th>active lanes</th><th>lost lane slots</th><th>SFU</th><th>sectors</th><th>line</th>"
+      "<th class=\"text\">code</th></tr></thead>\n<tbody>\n";
   html += source_rows(kernel, scale, counts);
   if (!counts.empty()) html += file_row("not in this source");
   for (const auto& [place, line] : counts)
-    html += fmt::format("<tr><td class=\"number\">{}</td><td class=\"code\">{}</td>{}</tr>\n", line->line,
-                        line->line == 0 ? "instructions without a line" : escape(line->file),
-                        cells_of(line->totals, scale, kernel.counters.warp_width));
+    html += row(cells_of(line->totals, scale, kernel.counters.warp_width), line->line,
+                line->line == 0 ? "instructions without a line" : line->file);
   return html + "</tbody></table></div>\n";
 }
 

@@ -18,14 +18,15 @@ html::Cell variant_cell(const SweepCase& sweep_case) {
   return {fmt::format("<a href=\"{}\">{}</a>", html::escape(page), name), {}, {}};
 }
 
-// Each column is shaded from its smallest to its largest value.
+// Each column is shaded from its best to its worst value.
 html::Cell value_cell(const SweepColumn& column, const SweepCase& sweep_case, double smallest,
                       double largest) {
   const std::optional<double> value = column.value(sweep_case);
   html::Cell cell = html::text_cell(column.text(sweep_case));
   if (!value) return cell;
   cell.sort_by = value;
-  if (largest > smallest) cell.heat = (*value - smallest) / (largest - smallest);
+  if (largest > smallest)
+    cell.heat = (column.higher_is_better ? largest - *value : *value - smallest) / (largest - smallest);
   return cell;
 }
 

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
@@ -23,6 +25,14 @@ TEST(JsonText, KeepsOrderAndPutsWhatIsShortOnALine) {
  ]
 }
 )");
+}
+
+TEST(JsonText, BreaksLongLinesButNotThoseOfNumbers) {
+  const std::string a(70, 'a'), b(70, 'b');
+  EXPECT_EQ(json_text(Json{{"list", {a, b}}}, "document"),
+            fmt::format("{{\n \"list\": [\n  \"{}\",\n  \"{}\"\n ]\n}}\n", a, b));
+  const std::string text = json_text(Json{{"counts", std::vector<int>(65, 1000)}}, "document");
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3);
 }
 
 TEST(JsonText, NamesTheNumberThatIsNotFinite) {

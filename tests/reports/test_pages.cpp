@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "reports/atomic_file.hpp"
+#include "core/file_io.hpp"
 #include "reports/html/page.hpp"
 #include "reports/html/report_page.hpp"
 #include "reports/html/sweep_page.hpp"
@@ -58,12 +58,13 @@ TEST(Pages, ShadeTheSourceAndLeaveOutWhatMadeNoInstruction) {
   Report report = sample::report();
   for (LaunchReport& launch : report.launches) launch.source.text += std::string(20, '\n');
   const std::string page = report_page(report);
-  EXPECT_THAT(page, HasSubstr("<td class=\"number\">3</td><td class=\"code\">    force[i] = sqrt(overlap) /* "
-                              "&lt;&amp;&gt; */;</td>"
-                              "<td class=\"heat\" style=\"--h:0.600\">12</td>"
-                              "<td class=\"heat\" style=\"--h:0.500\">2.0</td>"
-                              "<td class=\"heat\" style=\"--h:1.000\">24</td>"
-                              "<td class=\"heat\" style=\"--h:1.000\">12</td><td></td></tr>"));
+  EXPECT_THAT(page,
+              HasSubstr("<tr><td class=\"heat\" style=\"--h:0.600\">12</td>"
+                        "<td class=\"heat\" style=\"--h:0.500\">2.0</td>"
+                        "<td class=\"heat\" style=\"--h:1.000\">24</td>"
+                        "<td class=\"heat\" style=\"--h:1.000\">12</td><td></td>"
+                        "<td class=\"number\">3</td>"
+                        "<td class=\"code\">    force[i] = sqrt(overlap) /* &lt;&amp;&gt; */;</td></tr>"));
   EXPECT_THAT(page, HasSubstr("19 lines without instructions"));
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/atomic_file.hpp"
+#include "core/file_io.hpp"
 #include "reports/report_json.hpp"
 #include "run_python.hpp"
 #include "sample.hpp"
@@ -140,6 +140,15 @@ constexpr const char* scene =
   "walls": [ { "material": "glass", "plane": { "point": [0,0,-1], "normal": [0,0,1] } },
              { "material": "glass", "rectangle": { "corner": [0,0,0], "edges": [[1,0,0],[0,1,0]] } } ],
   "time": { "step": "auto", "end": { "steps": 1000 } } })";
+
+TEST(Schemas, ShippedScenesAreValid) {
+  std::vector<Case> scenes;
+  for (const auto& entry : std::filesystem::directory_iterator(WARPGRAIN_SOURCE_DIR "/scenes"))
+    if (entry.path().extension() == ".json")
+      scenes.push_back({entry.path().filename().string(), read_text_file(entry.path(), 1 << 20)});
+  EXPECT_FALSE(scenes.empty());
+  expect_valid("scene-1.schema.json", scenes);
+}
 
 TEST(Schemas, Scenes) {
   expect_valid("scene-1.schema.json", {{"the example", scene}});
