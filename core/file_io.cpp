@@ -1,5 +1,6 @@
 #include "core/file_io.hpp"
 
+#include <cerrno>
 #include <fmt/format.h>
 #include <fstream>
 #include <sstream>
@@ -29,16 +30,17 @@ void write_file_atomically(const std::filesystem::path& path, std::string_view t
   unfinished += fmt::format(".{}.tmp", ::getpid());
   std::error_code error;
   {
+    errno = 0;
     std::ofstream file(unfinished, std::ios::binary);
     file.write(text.data(), static_cast<std::streamsize>(text.size()));
     file.close();
-    if (!file) error = std::make_error_code(std::errc::io_error);
+    if (!file) error = std::error_code(errno ? errno : EIO, std::generic_category());
   }
   if (!error) std::filesystem::rename(unfinished, path, error);
   if (error) {
     std::error_code ignored;
     std::filesystem::remove(unfinished, ignored);
-    throw_input_error(path.string(), "cannot be written", "a writable place");
+    throw_input_error(path.string(), "cannot be written: " + error.message());
   }
 }
 

@@ -18,11 +18,15 @@ std::string line_and_column(std::string_view text, std::size_t position) {
   return fmt::format("line {}, column {}", line, read.size() - line_start + 1);
 }
 
-// The library keeps the last of two equal keys; a reader would wonder why the first has no effect.
-class DuplicateKeys {
+// What the library lets pass: of two equal keys it keeps the last, and a reader would wonder why the first
+// has no effect; and it nests without end, which recursion over the document would not survive.
+class Watch {
  public:
-  explicit DuplicateKeys(std::string_view file) : file_(file) {}
+  explicit Watch(std::string_view file) : file_(file) {}
   bool operator()(int depth, nlohmann::json::parse_event_t event, nlohmann::json& parsed) {
+    constexpr int deepest = 64;
+    if (depth > deepest)
+      throw_input_error(file_, "nested too deeply", fmt::format("at most {} levels", deepest));
     if (event == nlohmann::json::parse_event_t::object_start) {
       keys_.resize(static_cast<std::size_t>(depth) + 1);
       keys_.back().clear();
@@ -43,8 +47,8 @@ class DuplicateKeys {
 
 JsonReader JsonReader::parse(std::string_view text, std::string_view file) {
   try {
-    auto root = std::make_shared<const nlohmann::json>(
-        nlohmann::json::parse(text.begin(), text.end(), DuplicateKeys(file)));
+    auto root =
+        std::make_shared<const nlohmann::json>(nlohmann::json::parse(text.begin(), text.end(), Watch(file)));
     const nlohmann::json* value = root.get();
     return {std::move(root), value, std::make_shared<const std::string>(file), ""};
   } catch (const nlohmann::json::parse_error& e) {

@@ -76,25 +76,29 @@ class CoulombLimit final : public ForceTerm<Real> {
   ForceStage stage() const override { return ForceStage::tangential_limit; }
 
   void apply_to_contacts(ContactBatch<Real>& c, Real) const override {
-    const Vectors spring = c.tangential_displacement.colwise() * -c.tangential_stiffness;
     // What eq. (5) tests and cuts: all of F_t, but under `liggghts` the spring alone.
-    const Vectors tested = slip_history_ == SlipHistory::liggghts ? spring : c.tangential_force;
+    Vectors spring;
+    const bool tests_spring = slip_history_ == SlipHistory::liggghts;
+    if (tests_spring) spring = c.tangential_displacement.colwise() * -c.tangential_stiffness;
+    const Vectors& tested = tests_spring ? spring : c.tangential_force;
+
     const Scalars friction_limit = c.friction_coefficient * c.normal_force.abs();
     const Scalars length = row_dot(tested, tested).sqrt();
     const auto slips = (length > friction_limit).eval();
     const Scalars scale = friction_limit / length;  // not a number where nothing acts; not used there
+    const auto rewrites = (slips && c.tangential_stiffness > Real(0)).eval();
+    const Scalars compliance = 1 / c.tangential_stiffness;  // infinite without a spring; not used there
     for (int d = 0; d < 3; ++d) {
-      const Scalars others = c.tangential_force.col(d) - spring.col(d);
       const Scalars cut = tested.col(d) * scale;
-      c.tangential_force.col(d) = slips.select(cut, c.tangential_force.col(d));
-      if (slip_history_ == SlipHistory::paper) continue;
-      // delta_t such that its spring exerts the cut force; under `lammps` the cut force less what the damping
-      // exerts.
-      Scalars remaining = -cut;
-      if (slip_history_ == SlipHistory::lammps) remaining += others;
-      c.tangential_displacement.col(d) =
-          (slips && c.tangential_stiffness > Real(0))
-              .select(remaining / c.tangential_stiffness, c.tangential_displacement.col(d));
+      auto displacement = c.tangential_displacement.col(d);
+      auto force = c.tangential_force.col(d);
+      // delta_t such that its spring exerts the cut force; under `lammps` the cut force less what all but the
+      // spring exert, which is the damping.
+      if (slip_history_ == SlipHistory::lammps)
+        displacement = rewrites.select((force - cut) * compliance + displacement, displacement);
+      else if (slip_history_ != SlipHistory::paper)
+        displacement = rewrites.select(-cut * compliance, displacement);
+      force = slips.select(cut, force);
     }
   }
 

@@ -166,6 +166,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(Scene, RefusesWhatIsNoObjectAndWhatIsTooLarge) {
   EXPECT_THAT(message_of(""), testing::HasSubstr("bed.json: line 1, column 1"));
+  EXPECT_THAT(message_of(std::string(100000, '[')), testing::HasSubstr("bed.json: nested too deeply"));
   EXPECT_THAT(message_of("[]"), testing::HasSubstr("bed.json: []; expected an object"));
   EXPECT_THAT(message_of(std::string(scene_size_limit + 1, ' ')),
               testing::HasSubstr("expected at most 67108864 bytes"));

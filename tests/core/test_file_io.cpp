@@ -1,0 +1,43 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+#include "core/file_io.hpp"
+
+namespace warpgrain {
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+class FileIo : public testing::Test {
+ protected:
+  void SetUp() override { std::filesystem::create_directories(folder_); }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+  const std::filesystem::path folder_ = std::filesystem::temp_directory_path() / "warpgrain_file_io_test";
+};
+
+TEST_F(FileIo, ReadsWhatItWrote) {
+  const std::string text("a\0b\r\nc", 6);
+  write_file_atomically(folder_ / "file", text);
+  EXPECT_EQ(read_text_file(folder_ / "file", 6), text);
+  write_file_atomically(folder_ / "file", "");
+  EXPECT_EQ(read_text_file(folder_ / "file", 6), "");
+}
+
+TEST_F(FileIo, RefusesLargeMissingAndOddFiles) {
+  write_file_atomically(folder_ / "file", "1234567");
+  EXPECT_THAT([&] { read_text_file(folder_ / "file", 6); },
+              ThrowsMessage<InputError>(HasSubstr("7 bytes; expected at most 6 bytes")));
+  EXPECT_THAT([&] { read_text_file(folder_ / "none", 6); },
+              ThrowsMessage<InputError>(HasSubstr("none: no such file")));
+  EXPECT_THROW(read_text_file(folder_, 6), InputError);
+}
+
+TEST_F(FileIo, SaysWhyAFileCannotBeWritten) {
+  EXPECT_THAT([&] { write_file_atomically(folder_ / "no" / "file", "x"); },
+              ThrowsMessage<InputError>(HasSubstr("cannot be written: No such file or directory")));
+}
+
+}  // namespace
+}  // namespace warpgrain
