@@ -1,7 +1,9 @@
 #include "reports/text_report.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <fmt/format.h>
+#include <utility>
 #include <vector>
 
 #include "reports/number_text.hpp"
@@ -39,21 +41,31 @@ std::string kernel_table(const Report& report, const std::vector<KernelSummary>&
   return table.text();
 }
 
-std::string branch_list(const KernelSummary& kernel, std::size_t how_many) {
-  const auto lost = static_cast<double>(kernel.lane_slots_lost());
+// Names below the folder that a program was compiled in are short already; others are cut to the file.
+std::string place_text(const std::string& file, std::uint32_t line) {
+  const std::filesystem::path path(file);
+  return fmt::format("{}:{}", path.is_absolute() ? path.filename().string() : file, line);
+}
+
+std::string loss_list(const KernelSummary& kernel, std::size_t how_many) {
+  std::vector<std::pair<std::uint64_t, std::string>> losses;
+  for (const profiler::BranchTotals& branch : kernel.counters.branches)
+    losses.emplace_back(branch.lane_slots_lost,
+                        fmt::format("{}  ({})  lanes disagreed in {} of {} executions", branch.label,
+                                    place_text(branch.file, branch.line),
+                                    percent_text(static_cast<double>(branch.divergent),
+                                                 static_cast<double>(branch.executions)),
+                                    count_text(branch.executions)));
+  losses.emplace_back(kernel.counters.lane_slots_never_used, "warps that are not full from the start");
+  std::stable_sort(losses.begin(), losses.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
   std::string text;
-  for (const profiler::BranchTotals& branch : kernel.counters.branches) {
-    if (how_many-- == 0 || branch.lane_slots_lost == 0) break;
+  for (const auto& [lost, cause] : losses) {
+    if (how_many-- == 0 || lost == 0) break;
     text += fmt::format(
-        "  {:>7}  {}  ({}:{})  lanes disagreed in {} of {} executions\n",
-        percent_text(static_cast<double>(branch.lane_slots_lost), lost), branch.label, branch.file,
-        branch.line,
-        percent_text(static_cast<double>(branch.divergent), static_cast<double>(branch.executions)),
-        count_text(branch.executions));
+        "  {:>7}  {}\n",
+        percent_text(static_cast<double>(lost), static_cast<double>(kernel.lane_slots_lost())), cause);
   }
-  if (kernel.counters.lane_slots_never_used > 0)
-    text += fmt::format("  {:>7}  warps that are not full from the start\n",
-                        percent_text(static_cast<double>(kernel.counters.lane_slots_never_used), lost));
   return text;
 }
 
@@ -67,11 +79,15 @@ std::string line_list(const KernelSummary& kernel, std::size_t how_many) {
   std::string text;
   for (const profiler::LineTotals* line : hottest) {
     if (how_many-- == 0) break;
-    text += fmt::format("  {:>7}  {:>4} lanes  {}:{}  {}\n",
+    const std::string place =
+        line->line == 0 ? "instructions without a line" : place_text(line->file, line->line);
+    text += fmt::format("  {:>7}  {:>4} lanes  {}  {}",
                         percent_text(static_cast<double>(line->totals.warp_instructions),
                                      static_cast<double>(kernel.counters.totals.warp_instructions)),
-                        fixed_text(line->totals.active_lanes(), 1), line->file, line->line,
+                        fixed_text(line->totals.active_lanes(), 1), place,
                         source.text_of(line->file, line->line));
+    text.erase(text.find_last_not_of(' ') + 1);
+    text += '\n';
   }
   return text;
 }
@@ -83,9 +99,9 @@ std::string text_report(const Report& report, const TextReportOptions& options) 
   std::string text = title_of(report) + "\n\n" + kernel_table(report, kernels);
   for (std::size_t k = 0; k < std::min(kernels.size(), options.kernels); ++k) {
     const KernelSummary& kernel = kernels[k];
-    if (const std::string branches = branch_list(kernel, options.branches); !branches.empty())
+    if (const std::string losses = loss_list(kernel, options.causes); !losses.empty())
       text += fmt::format("\n{}: where lanes idled, of {} lost lane slots\n{}", kernel.counters.kernel,
-                          count_text(kernel.lane_slots_lost()), branches);
+                          count_text(kernel.lane_slots_lost()), losses);
     if (const std::string lines = line_list(kernel, options.lines); !lines.empty())
       text += fmt::format("\n{}: lines with the most warp instructions\n{}", kernel.counters.kernel, lines);
   }

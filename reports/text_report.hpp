@@ -21,9 +21,9 @@
 namespace warpgrain::reports {
 
 struct TextReportOptions {
-  std::size_t kernels = 3;   // with details: the heaviest ones
-  std::size_t branches = 5;  // of each
-  std::size_t lines = 5;     // of each
+  std::size_t kernels = 3;  // with details: the heaviest ones
+  std::size_t causes = 5;   // of lost lane slots, of each
+  std::size_t lines = 5;    // of each
 };
 
 std::string text_report(const Report& report, const TextReportOptions& options = {});

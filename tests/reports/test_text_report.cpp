@@ -43,8 +43,22 @@ TEST(TextReport, CountsWarpsThatAreNotFull) {
                                              "  100.0 %  warps that are not full from the start\n"));
 }
 
+TEST(TextReport, SortsCausesByLossAndNamesWhatHasNoLine) {
+  Report report = sample::report();
+  report.launches.resize(1);
+  profiler::LaunchCounters& counters = report.launches[0].counters;
+  counters.branches[0].lane_slots_lost = 3;
+  counters.branches[0].file = "/home/user/law.cl";
+  counters.lane_slots_never_used = 9;
+  counters.lines.push_back({"", 0, sample::totals(100, 0)});
+  const std::string text = text_report(report);
+  EXPECT_THAT(text, HasSubstr("   75.0 %  warps that are not full from the start\n"
+                              "   25.0 %  contact test  (law.cl:2)  lanes"));
+  EXPECT_THAT(text, HasSubstr("4.0 lanes  instructions without a line\n"));
+}
+
 TEST(TextReport, LimitsItsDetails) {
-  const std::string text = text_report(sample::report(), {.kernels = 1, .branches = 1, .lines = 1});
+  const std::string text = text_report(sample::report(), {.kernels = 1, .causes = 1, .lines = 1});
   EXPECT_THAT(text, Not(HasSubstr("sort: ")));
   EXPECT_THAT(text, Not(HasSubstr("contact/law.cl:3")));
 }
