@@ -120,6 +120,16 @@ Headline headline_of(const std::vector<KernelSummary>& kernels) {
   sum.active_lanes = ratio(lanes, static_cast<double>(sum.warp_instructions));
   sum.simt_efficiency = ratio(lanes, lane_slots);
   sum.sectors_per_load = sectors_per_request(loads);
+  const auto heaviest = std::max_element(kernels.begin(), kernels.end(), [](const auto& a, const auto& b) {
+    return a.counters.totals.warp_instructions < b.counters.totals.warp_instructions;
+  });
+  if (heaviest != kernels.end()) {
+    const profiler::LaunchCounters& counters = heaviest->counters;
+    sum.heaviest_kernel = {counters.kernel,
+                           ratio(static_cast<double>(counters.totals.warp_instructions),
+                                 static_cast<double>(sum.warp_instructions)),
+                           counters.totals.simt_efficiency(counters.warp_width)};
+  }
   return sum;
 }
 

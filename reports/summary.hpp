@@ -22,6 +22,12 @@ struct Headline {
   std::uint64_t divergent_branches = 0;
   std::uint64_t sfu_instructions = 0;
   std::optional<double> sectors_per_load;  // none when there was no global load
+  // The kernel with the most warp instructions: the means over a step hide where it spends its time.
+  struct Heaviest {
+    std::string kernel;
+    double share = 0;  // of the warp instructions
+    double simt_efficiency = 0;
+  } heaviest_kernel;
 };
 
 Headline headline_of(const profiler::LaunchCounters& counters);

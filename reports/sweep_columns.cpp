@@ -17,6 +17,9 @@ Value of_headline(const SweepCase& c, double (*value)(const Headline&)) {
 Value efficiency(const SweepCase& c) {
   return of_headline(c, [](const Headline& h) { return h.simt_efficiency; });
 }
+Value heaviest_kernel(const SweepCase& c) {
+  return of_headline(c, [](const Headline& h) { return h.heaviest_kernel.simt_efficiency; });
+}
 Value active_lanes(const SweepCase& c) {
   return of_headline(c, [](const Headline& h) { return h.active_lanes; });
 }
@@ -70,6 +73,8 @@ std::string significant(const SweepCase& c) {
 constexpr SweepColumn columns[] = {
     {"SIMT efficiency", "active lanes / warp width, over every launch of a step", true, fixed<efficiency, 3>,
      efficiency},
+    {"of heaviest kernel", "SIMT efficiency of the kernel with the most warp instructions", true,
+     fixed<heaviest_kernel, 3>, heaviest_kernel},
     {"active lanes", "thread instructions / warp instructions", true, fixed<active_lanes, 1>, active_lanes},
     {"warp instructions", "instructions issued in a step, one a warp", false, count<warp_instructions>,
      warp_instructions},
@@ -89,14 +94,18 @@ constexpr SweepColumn columns[] = {
 
 std::span<const SweepColumn> sweep_columns() { return columns; }
 
-std::vector<std::string> devices_of(const SweepIndex& index) {
-  std::vector<std::string> devices;
+std::vector<std::string> notes_of(const SweepIndex& index) {
+  std::vector<std::string> notes;
+  const auto add = [&](const std::string& note) {
+    if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
+  };
   for (const SweepCase& sweep_case : index.cases)
-    for (const BackendReading& reading : sweep_case.backends) {
-      const std::string device = fmt::format("{}: {}", reading.backend, reading.device);
-      if (std::find(devices.begin(), devices.end(), device) == devices.end()) devices.push_back(device);
-    }
-  return devices;
+    if (sweep_case.headline)
+      add(fmt::format("heaviest kernel: {}", sweep_case.headline->heaviest_kernel.kernel));
+  for (const SweepCase& sweep_case : index.cases)
+    for (const BackendReading& reading : sweep_case.backends)
+      add(fmt::format("{}: {}", reading.backend, reading.device));
+  return notes;
 }
 
 std::vector<std::string> troubles_of(const SweepIndex& index) {

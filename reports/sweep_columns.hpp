@@ -22,8 +22,9 @@ struct SweepColumn {
 // All but the first column, which is the variant's name.
 std::span<const SweepColumn> sweep_columns();
 
-// "opencl: <device>" for each back end and device that occurs, in order of first occurrence.
-std::vector<std::string> devices_of(const SweepIndex& index);
+// What the table does not spell out, each once: which kernels are the heaviest, and "opencl: <device>" of the
+// back ends.
+std::vector<std::string> notes_of(const SweepIndex& index);
 
 // Cases that are not done: "<variant>: <status>: <message>".
 std::vector<std::string> troubles_of(const SweepIndex& index);

@@ -21,10 +21,14 @@ Json to_json(const Headline& headline) {
             {"divergent_branches", headline.divergent_branches},
             {"sfu_instructions", headline.sfu_instructions}};
   if (headline.sectors_per_load) json["sectors_per_load"] = *headline.sectors_per_load;
+  json["heaviest_kernel"] = {{"kernel", headline.heaviest_kernel.kernel},
+                             {"share", headline.heaviest_kernel.share},
+                             {"simt_efficiency", headline.heaviest_kernel.simt_efficiency}};
   return json;
 }
 
 Headline headline_from(const JsonReader& place) {
+  const JsonReader heaviest = place.at("heaviest_kernel");
   return {.warp_instructions = place.at("warp_instructions").whole_number(),
           .thread_instructions = place.at("thread_instructions").whole_number(),
           .active_lanes = place.at("active_lanes").number(),
@@ -32,7 +36,9 @@ Headline headline_from(const JsonReader& place) {
           .branches = place.at("branches").whole_number(),
           .divergent_branches = place.at("divergent_branches").whole_number(),
           .sfu_instructions = place.at("sfu_instructions").whole_number(),
-          .sectors_per_load = optional_number(place, "sectors_per_load")};
+          .sectors_per_load = optional_number(place, "sectors_per_load"),
+          .heaviest_kernel = {heaviest.at("kernel").string(), heaviest.at("share").number(),
+                              heaviest.at("simt_efficiency").number()}};
 }
 
 Json to_json(const BackendReading& reading) {

@@ -34,7 +34,7 @@ std::string kernel_table(const Report& report, const std::vector<KernelSummary>&
                    {"warp instructions", right},
                    {"divergent branches", right},
                    {"SFU instructions", right},
-                   {"sectors per load", right}});
+                   {"sectors/load", right}});
   for (const KernelSummary& kernel : kernels)
     table.add_row(row_of(kernel.counters.kernel, kernel.launches, headline_of(kernel.counters)));
   if (kernels.size() > 1) table.add_row(row_of("all", report.launches.size(), headline_of(kernels)));

@@ -3,14 +3,16 @@
 //
 //   slit, branchy/cells/cell/fp32/default, 16,384 particles, step 4,000
 //
-//   kernel         launches  SIMT efficiency  active lanes  warp instructions  ...
-//   -------------  --------  ---------------  ------------  -----------------
-//   contact_force         1            0.235           7.5          9,876,543
-//   all                   9            0.311           9.9         12,345,678
+//                                  SIMT  active          warp  divergent
+//   kernel         launches  efficiency   lanes  instructions   branches  ...
+//   -------------  --------  ----------  ------  ------------  ---------
+//   contact_force         1       0.235     7.5     9,876,543     26.8 %
+//   all                   9       0.311     9.9    12,345,678     24.1 %
 //
-//   contact_force: where lanes idled
-//     62.1 %  contact test         contact/branchy.cl:42  diverged in 71.0 % of 123,456 executions
-//   contact_force: lines with most warp instructions
+//   contact_force: where lanes idled, of 241,778,612 lost lane slots
+//     62.1 %  contact test  (contact/branchy.cl:42)  lanes disagreed in 71.0 % of 123,456 executions
+//
+//   contact_force: lines with the most warp instructions
 //     12.3 %   7.1 lanes  contact/branchy.cl:57  const float distance = ...
 
 #include <cstddef>

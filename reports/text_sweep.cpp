@@ -9,7 +9,8 @@ namespace warpgrain::reports {
 
 std::string text_sweep(const SweepIndex& index) {
   std::vector<TextTable::Column> columns{{"variant", TextTable::Align::left}};
-  for (const SweepColumn& column : sweep_columns()) columns.push_back({std::string(column.heading)});
+  for (const SweepColumn& column : sweep_columns())
+    columns.push_back({std::string(column.heading), TextTable::Align::right});
   TextTable table(columns);
   for (const SweepCase& sweep_case : index.cases) {
     std::vector<std::string> row{sweep_case.variant};
@@ -17,7 +18,7 @@ std::string text_sweep(const SweepIndex& index) {
     table.add_row(row);
   }
   std::string text = fmt::format("{}\n\n{}", title_of(index), table.text());
-  for (const std::string& line : devices_of(index)) text += "\n" + line;
+  for (const std::string& line : notes_of(index)) text += "\n" + line;
   for (const std::string& line : troubles_of(index)) text += "\n" + line;
   return text.ends_with('\n') ? text : text + "\n";
 }

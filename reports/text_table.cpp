@@ -1,6 +1,7 @@
 #include "reports/text_table.hpp"
 
 #include <algorithm>
+#include <sstream>
 #include <utility>
 
 #include "core/error.hpp"
@@ -25,14 +26,11 @@ void TextTable::add_row(std::vector<std::string> cells) {
 }
 
 std::string TextTable::text() const {
-  std::vector<std::size_t> widths;
-  std::vector<std::string> headings, rules;
-  for (std::size_t c = 0; c < columns_.size(); ++c) {
-    headings.push_back(columns_[c].heading);
-    widths.push_back(width_of(headings.back()));
-    for (const auto& row : rows_) widths.back() = std::max(widths.back(), width_of(row[c]));
-    rules.emplace_back(widths.back(), '-');
-  }
+  const std::vector<std::vector<std::string>> headings = heading_lines();
+  std::vector<std::size_t> widths(columns_.size(), 0);
+  for (const auto* rows : {&headings, &rows_})
+    for (const auto& row : *rows)
+      for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], width_of(row[c]));
   std::string text;
   const auto append = [&](const std::vector<std::string>& cells) {
     std::string line;
@@ -43,10 +41,26 @@ std::string TextTable::text() const {
     }
     text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
   };
-  append(headings);
-  append(rules);
+  for (const auto& row : headings) append(row);
+  std::vector<std::string> rule;
+  for (const std::size_t width : widths) rule.emplace_back(width, '-');
+  append(rule);
   for (const auto& row : rows_) append(row);
   return text;
+}
+
+std::vector<std::vector<std::string>> TextTable::heading_lines() const {
+  std::vector<std::vector<std::string>> words(columns_.size());
+  std::size_t most = 0;
+  for (std::size_t c = 0; c < columns_.size(); ++c) {
+    std::istringstream heading(columns_[c].heading);
+    for (std::string word; heading >> word;) words[c].push_back(word);
+    most = std::max(most, words[c].size());
+  }
+  std::vector<std::vector<std::string>> lines(most, std::vector<std::string>(columns_.size()));
+  for (std::size_t c = 0; c < columns_.size(); ++c)
+    for (std::size_t w = 0; w < words[c].size(); ++w) lines[most - words[c].size() + w][c] = words[c][w];
+  return lines;
 }
 
 }  // namespace warpgrain::reports

@@ -1,5 +1,5 @@
 #pragma once
-// Aligned columns for a terminal.
+// Aligned columns for a terminal. Headings of several words stand on several lines, to keep columns narrow.
 
 #include <string>
 #include <vector>
@@ -16,10 +16,13 @@ class TextTable {
 
   explicit TextTable(std::vector<Column> columns);
   void add_row(std::vector<std::string> cells);  // one a column
-  // Headings, a rule, the rows; each line ends with a newline and has no blanks before it.
+  // Headings, ending on one line; a rule; the rows. Each line ends with a newline and has no blanks before
+  // it.
   std::string text() const;
 
  private:
+  std::vector<std::vector<std::string>> heading_lines() const;
+
   std::vector<Column> columns_;
   std::vector<std::vector<std::string>> rows_;
 };

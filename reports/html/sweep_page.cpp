@@ -72,7 +72,7 @@ std::string sweep_page(const SweepIndex& index) {
                         html::escape(column.explanation));
   body += "</dl>\n";
   body += list_of("Not done", troubles_of(index));
-  body += list_of("Devices", devices_of(index));
+  body += list_of("Kernels and devices", notes_of(index));
   body += fmt::format(
       "<h2>Where these numbers come from</h2>\n<dl><dt>warpgrain</dt><dd><code>{}, revision {}</code></dd>"
       "<dt>command</dt><dd><code>{}</code></dd></dl>\n",

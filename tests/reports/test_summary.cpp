@@ -60,6 +60,9 @@ TEST(Summary, HeadlineIsOverLaneSlotsNotAMeanOfRatios) {
   EXPECT_DOUBLE_EQ(headline.active_lanes, 2.2);
   EXPECT_DOUBLE_EQ(headline.simt_efficiency, 0.55);
   EXPECT_DOUBLE_EQ(headline.sectors_per_load.value(), 3.0);
+  EXPECT_EQ(headline.heaviest_kernel.kernel, "force");
+  EXPECT_DOUBLE_EQ(headline.heaviest_kernel.share, 0.84);
+  EXPECT_DOUBLE_EQ(headline.heaviest_kernel.simt_efficiency, 0.5);
 }
 
 TEST(Summary, NoLoadsHaveNoSectorsPerLoad) {

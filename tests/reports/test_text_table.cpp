@@ -7,11 +7,12 @@ namespace warpgrain::reports {
 namespace {
 
 TEST(TextTable, AlignsColumns) {
-  TextTable table({{"name", TextTable::Align::left}, {"n"}, {"last", TextTable::Align::left}});
+  TextTable table({{"name", TextTable::Align::left}, {"how many"}, {"last", TextTable::Align::left}});
   table.add_row({"a", "1,000", "x"});
   table.add_row({"longer", "7", ""});
   EXPECT_EQ(table.text(),
-            "name        n  last\n"
+            "          how\n"
+            "name     many  last\n"
             "------  -----  ----\n"
             "a       1,000  x\n"
             "longer      7\n");
