@@ -75,3 +75,7 @@ WARPGRAIN_VECTORS_OF_1(warpgrain_rsqrt, double)
 
 #define sqrt(...) warpgrain_sqrt(__VA_ARGS__)
 #define rsqrt(...) warpgrain_rsqrt(__VA_ARGS__)
+
+// Declared by OpenCL, missing in libclc for NVPTX. Launches have no offset.
+#define get_global_offset(dimension) ((size_t)0)
+#define mad_hi(a, b, c) ((__typeof__(mul_hi(a, b)))(mul_hi(a, b) + (c)))

@@ -31,7 +31,7 @@ class BodyParser {
       scopes_.pop_back();
     } else if (token.kind == Token::Kind::directive) {
       parse_directive();
-    } else if (token.kind == Token::Kind::identifier && cursor_.peek(1).is(':')) {
+    } else if (at_label()) {
       parse_label();
     } else {
       parse_statement();
@@ -96,6 +96,8 @@ class BodyParser {
     }
   }
 
+  bool at_label() const { return cursor_.peek().kind == Token::Kind::identifier && cursor_.peek(1).is(':'); }
+
   void parse_label() {
     const std::uint32_t line = cursor_.peek().line;
     const std::string name = cursor_.expect_name("a label");
@@ -139,6 +141,8 @@ class BodyParser {
   }
 
   Operand parse_operand() {
+    // LLVM prints a call in parts and puts the labels of line tables between them.
+    while (at_label()) parse_label();
     Operand operand;
     const Token& token = cursor_.peek();
     if (cursor_.take_if('!')) {
