@@ -1,0 +1,90 @@
+#include "tests/profiler/pocl.hpp"
+
+#define CL_TARGET_OPENCL_VERSION 120
+#include <CL/cl.h>
+#include <array>
+#include <stdexcept>
+
+namespace warpgrain::profiler {
+namespace {
+
+void check(cl_int status, const char* what) {
+  if (status != CL_SUCCESS)
+    throw std::runtime_error(std::string(what) + " returned " + std::to_string(status));
+}
+
+cl_platform_id find_platform() {
+  std::array<cl_platform_id, 16> platforms{};
+  cl_uint count = 0;
+  check(clGetPlatformIDs(platforms.size(), platforms.data(), &count), "clGetPlatformIDs");
+  for (cl_uint i = 0; i < count; ++i) {
+    std::array<char, 256> name{};
+    check(clGetPlatformInfo(platforms[i], CL_PLATFORM_NAME, name.size() - 1, name.data(), nullptr),
+          "clGetPlatformInfo");
+    if (std::string(name.data()) == "Portable Computing Language") return platforms[i];
+  }
+  throw std::runtime_error("no PoCL among the OpenCL platforms");
+}
+
+}  // namespace
+
+struct Pocl::State {
+  cl_device_id device = nullptr;
+  cl_context context = nullptr;
+  cl_command_queue queue = nullptr;
+};
+
+Pocl::Pocl() : state_(std::make_unique<State>()) {
+  check(clGetDeviceIDs(find_platform(), CL_DEVICE_TYPE_ALL, 1, &state_->device, nullptr), "clGetDeviceIDs");
+  cl_int status = 0;
+  state_->context = clCreateContext(nullptr, 1, &state_->device, nullptr, nullptr, &status);
+  check(status, "clCreateContext");
+  state_->queue = clCreateCommandQueue(state_->context, state_->device, 0, &status);
+  check(status, "clCreateCommandQueue");
+}
+
+Pocl::~Pocl() {
+  clReleaseCommandQueue(state_->queue);
+  clReleaseContext(state_->context);
+}
+
+void Pocl::run(const std::string& source, const std::string& kernel_name, const LaunchShape& shape,
+               const std::vector<KernelArgument>& arguments) {
+  cl_int status = 0;
+  const char* text = source.c_str();
+  cl_program program = clCreateProgramWithSource(state_->context, 1, &text, nullptr, &status);
+  check(status, "clCreateProgramWithSource");
+  check(clBuildProgram(program, 1, &state_->device, "-cl-std=CL1.2", nullptr, nullptr), "clBuildProgram");
+  cl_kernel kernel = clCreateKernel(program, kernel_name.c_str(), &status);
+  check(status, "clCreateKernel");
+  std::vector<cl_mem> buffers(arguments.size());
+  for (cl_uint i = 0; i < arguments.size(); ++i) {
+    const KernelArgument& argument = arguments[i];
+    if (argument.kind == KernelArgument::Kind::buffer) {
+      buffers[i] = clCreateBuffer(state_->context, CL_MEM_READ_WRITE | CL_MEM_COPY_HOST_PTR,
+                                  argument.memory.size(), argument.memory.data(), &status);
+      check(status, "clCreateBuffer");
+      check(clSetKernelArg(kernel, i, sizeof(cl_mem), &buffers[i]), "clSetKernelArg");
+    } else if (argument.kind == KernelArgument::Kind::scalar) {
+      check(clSetKernelArg(kernel, i, argument.value.size(), argument.value.data()), "clSetKernelArg");
+    } else {
+      check(clSetKernelArg(kernel, i, argument.local_bytes, nullptr), "clSetKernelArg");
+    }
+  }
+  const std::array<std::size_t, 3> global{shape.global_size[0], shape.global_size[1], shape.global_size[2]};
+  const std::array<std::size_t, 3> local{shape.local_size[0], shape.local_size[1], shape.local_size[2]};
+  check(clEnqueueNDRangeKernel(state_->queue, kernel, 3, nullptr, global.data(), local.data(), 0, nullptr,
+                               nullptr),
+        "clEnqueueNDRangeKernel");
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    if (!buffers[i]) continue;
+    check(clEnqueueReadBuffer(state_->queue, buffers[i], CL_TRUE, 0, arguments[i].memory.size(),
+                              arguments[i].memory.data(), 0, nullptr, nullptr),
+          "clEnqueueReadBuffer");
+    clReleaseMemObject(buffers[i]);
+  }
+  clReleaseKernel(kernel);
+  clReleaseProgram(program);
+}
+
+}  // namespace warpgrain::profiler

@@ -1,0 +1,27 @@
+#pragma once
+// Runs an OpenCL C kernel on PoCL, the reference for what kernels compute.
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "profiler/launch.hpp"
+
+namespace warpgrain::profiler {
+
+class Pocl {
+ public:
+  // Throws std::runtime_error when there is no PoCL device.
+  Pocl();
+  ~Pocl();
+  // Runs the kernel and leaves the buffers as it leaves them. Throws std::runtime_error with PoCL's message.
+  void run(const std::string& source, const std::string& kernel, const LaunchShape& shape,
+           const std::vector<KernelArgument>& arguments);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace warpgrain::profiler
