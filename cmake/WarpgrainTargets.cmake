@@ -15,6 +15,7 @@ endif()
 function(warpgrain_library name)
   cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
+  list(FILTER sources EXCLUDE REGEX "/program/")  # main functions are not library code
   if(sources)
     add_library(${name} STATIC ${sources})
     set(scope PUBLIC)

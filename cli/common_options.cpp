@@ -1,0 +1,65 @@
+#include "cli/common_options.hpp"
+
+#include <fmt/format.h>
+
+#include "cli/help_text.hpp"
+
+namespace warpgrain::cli {
+
+std::string option_text(const CLI::App& command, const std::string& name) {
+  return help_text().option(command.get_name(), name);
+}
+
+CLI::Option* add_flag(CLI::App& command, const std::string& name, bool& value) {
+  return command.add_flag(name, value, option_text(command, name));
+}
+
+CLI::Option* SceneOptions::add_to(CLI::App& command) {
+  CLI::Option* option = add_option(command, "--scene", scene);
+  add_option(command, "--particles", particles)->check(CLI::PositiveNumber);
+  add_option(command, "--seed", seed);
+  return option;
+}
+
+Scene SceneOptions::load() const { return load_scene(scene, {particles, seed}); }
+
+void VariantOptions::add_to(CLI::App& command) {
+  add_option(command, "--variant", variant)->group("Variant");
+  for (std::size_t a = 0; a < n_axes; ++a) {
+    const Axis& axis = axes()[a];
+    std::string names;
+    for (const AxisValue& value : axis.values) names += fmt::format("{}{}", names.empty() ? "" : "|", value.name);
+    command
+        .add_option(fmt::format("--{}", axis.name), values[a],
+                    fmt::format("{}: {}; default {}", axis.summary, names, axis.values[axis.default_value].name))
+        ->group("Variant");
+  }
+}
+
+Variant VariantOptions::resolve() const {
+  Variant resolved = variant ? Variant::parse(*variant) : Variant{};
+  for (std::size_t a = 0; a < n_axes; ++a)
+    if (values[a]) resolved.set(axes()[a].name, *values[a]);
+  return resolved;
+}
+
+void DeviceOptions::add_to(CLI::App& command) {
+  add_option(command, "--device", device);
+  add_option(command, "--threads", threads);
+  add_option(command, "--kernels", kernels);
+}
+
+BackendOptions DeviceOptions::backend_options() const {
+  BackendOptions options;
+  options.device = device;
+  options.threads = threads;
+  options.kernel_folder = kernels;
+  return options;
+}
+
+void OutputOptions::add_to(CLI::App& command) {
+  add_option(command, "--json", json);
+  add_flag(command, "--quiet", quiet);
+}
+
+}  // namespace warpgrain::cli

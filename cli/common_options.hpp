@@ -1,0 +1,61 @@
+#pragma once
+// Options that several subcommands share: declared once, with their texts from docs/cli.md.
+
+#include <CLI/App.hpp>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/scene.hpp"
+#include "variants/axes.hpp"
+#include "variants/backend.hpp"
+
+namespace warpgrain::cli {
+
+// What docs/cli.md says of the option under the subcommand, or under "common".
+std::string option_text(const CLI::App& command, const std::string& name);
+
+template <class T>
+CLI::Option* add_option(CLI::App& command, const std::string& name, T& value) {
+  return command.add_option(name, value, option_text(command, name));
+}
+CLI::Option* add_flag(CLI::App& command, const std::string& name, bool& value);
+
+struct SceneOptions {
+  std::string scene;
+  std::optional<std::uint64_t> particles, seed;
+
+  CLI::Option* add_to(CLI::App& command);  // returns --scene, for the command to require or exclude
+  Scene load() const;
+};
+
+// One option an axis (--contact, --order, ...), from the axis tables, and --variant for all at once.
+struct VariantOptions {
+  std::optional<std::string> variant;
+  std::array<std::optional<std::string>, n_axes> values;
+
+  void add_to(CLI::App& command);
+  Variant resolve() const;
+};
+
+struct DeviceOptions {
+  std::string device;
+  unsigned threads = 0;
+  std::string kernels;
+
+  void add_to(CLI::App& command);
+  BackendOptions backend_options() const;
+};
+
+struct OutputOptions {
+  std::string json;  // empty: none; "-": stdout
+  bool quiet = false;
+
+  void add_to(CLI::App& command);
+  // Whether a summary for people goes to stdout: not when the JSON does.
+  bool summary() const { return !quiet && json != "-"; }
+};
+
+}  // namespace warpgrain::cli
