@@ -1,11 +1,10 @@
 #include "cli/app.hpp"
 
-#include <fmt/format.h>
-
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <fmt/format.h>
 #include <iostream>
 #include <new>
 #include <string>
@@ -47,10 +46,12 @@ int fail(std::string_view message) {
 
 std::unique_ptr<CLI::App> make_app(Action& chosen) {
   auto app = std::make_unique<CLI::App>(
-      "Shows where SIMT hardware wastes its lanes on discrete element method kernels, and what a faster variant "
+      "Shows where SIMT hardware wastes its lanes on discrete element method kernels, and what a faster "
+      "variant "
       "costs in accuracy.",
       "warpgrain");
-  app->set_version_flag("--version", fmt::format("warpgrain {} ({})", WARPGRAIN_VERSION, WARPGRAIN_GIT_REVISION));
+  app->set_version_flag("--version",
+                        fmt::format("warpgrain {} ({})", WARPGRAIN_VERSION, WARPGRAIN_GIT_REVISION));
   app->require_subcommand(1);
   add_list_command(*app, chosen);
   add_run_command(*app, chosen);

@@ -28,10 +28,12 @@ void VariantOptions::add_to(CLI::App& command) {
   for (std::size_t a = 0; a < n_axes; ++a) {
     const Axis& axis = axes()[a];
     std::string names;
-    for (const AxisValue& value : axis.values) names += fmt::format("{}{}", names.empty() ? "" : "|", value.name);
+    for (const AxisValue& value : axis.values)
+      names += fmt::format("{}{}", names.empty() ? "" : "|", value.name);
     command
-        .add_option(fmt::format("--{}", axis.name), values[a],
-                    fmt::format("{}: {}; default {}", axis.summary, names, axis.values[axis.default_value].name))
+        .add_option(
+            fmt::format("--{}", axis.name), values[a],
+            fmt::format("{}: {}; default {}", axis.summary, names, axis.values[axis.default_value].name))
         ->group("Variant");
   }
 }

@@ -1,9 +1,8 @@
 // `warpgrain list`: what there is, one a line with a summary.
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
+#include <fmt/format.h>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -28,7 +27,8 @@ using Json = nlohmann::ordered_json;
 
 Json list_scenes() {
   Json rows = Json::array();
-  for (const SceneSummary& scene : named_scenes()) rows.push_back({{"name", scene.name}, {"summary", scene.summary}});
+  for (const SceneSummary& scene : named_scenes())
+    rows.push_back({{"name", scene.name}, {"summary", scene.summary}});
   return rows;
 }
 
@@ -39,7 +39,8 @@ Json list_variants() {
     for (std::size_t a = 0; a < n_axes; ++a) {
       const auto value = variant.value(static_cast<AxisId>(a));
       for (const AxisValue& candidate : axes()[a].values)
-        if (candidate.name == value) summary += fmt::format("{}{}", summary.empty() ? "" : "; ", candidate.summary);
+        if (candidate.name == value)
+          summary += fmt::format("{}{}", summary.empty() ? "" : "; ", candidate.summary);
     }
     rows.push_back({{"name", variant.name()}, {"summary", summary}});
   }
@@ -50,7 +51,8 @@ Json list_axes() {
   Json rows = Json::array();
   for (const Axis& axis : axes()) {
     Json values = Json::array();
-    for (const AxisValue& value : axis.values) values.push_back({{"name", value.name}, {"summary", value.summary}});
+    for (const AxisValue& value : axis.values)
+      values.push_back({{"name", value.name}, {"summary", value.summary}});
     rows.push_back({{"name", axis.name},
                     {"summary", axis.summary},
                     {"default", axis.values[axis.default_value].name},
@@ -69,8 +71,10 @@ Json list_backends() {
 Json list_metrics() {
   Json rows = Json::array();
   for (const reports::Metric& metric : reports::metrics())
-    rows.push_back(
-        {{"name", metric.key}, {"summary", metric.definition}, {"unit", metric.unit}, {"ncu", metric.ncu_metric}});
+    rows.push_back({{"name", metric.key},
+                    {"summary", metric.definition},
+                    {"unit", metric.unit},
+                    {"ncu", metric.ncu_metric}});
   return rows;
 }
 
@@ -85,7 +89,8 @@ constexpr std::array<Listing, 5> listings{{{"scenes", list_scenes},
                                            {"metrics", list_metrics}}};
 
 void print_row(const Json& row, std::size_t width) {
-  std::string line = fmt::format("{:<{}}  {}", row["name"].get<std::string>(), width, row["summary"].get<std::string>());
+  std::string line =
+      fmt::format("{:<{}}  {}", row["name"].get<std::string>(), width, row["summary"].get<std::string>());
   if (row.contains("ncu") && !row["ncu"].get<std::string>().empty())
     line += fmt::format(" [{}]", row["ncu"].get<std::string>());
   if (row.contains("lacks") && !row["lacks"].get<std::string>().empty())
@@ -136,7 +141,8 @@ void add_list_command(CLI::App& app, Action& chosen) {
   CLI::App& command = *app.add_subcommand("list", help_text().summary("list"));
   add_option(command, "what", options->what);
   options->output.add_to(command);
-  command.callback([options, &chosen] { chosen = [options] { return list(options->what, options->output); }; });
+  command.callback(
+      [options, &chosen] { chosen = [options] { return list(options->what, options->output); }; });
 }
 
 }  // namespace warpgrain::cli

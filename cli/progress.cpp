@@ -1,10 +1,9 @@
 #include "cli/progress.hpp"
 
-#include <fmt/format.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdio>
+#include <fmt/format.h>
+#include <unistd.h>
 
 namespace warpgrain::cli {
 
@@ -25,8 +24,10 @@ void Progress::update(std::string_view task, double fraction, std::string_view n
   const double elapsed = std::chrono::duration<double>(now - task_start_).count();
   fraction = std::clamp(fraction, 0.0, 1.0);
   std::string left;
-  if (fraction > 0.02 && elapsed > 1) left = fmt::format(", {:.0f} s left", elapsed * (1 - fraction) / fraction);
-  fmt::print(stderr, "\r\033[K{} {:3.0f} %{}{}{}", task_, 100 * fraction, left, note.empty() ? "" : ", ", note);
+  if (fraction > 0.02 && elapsed > 1)
+    left = fmt::format(", {:.0f} s left", elapsed * (1 - fraction) / fraction);
+  fmt::print(stderr, "\r\033[K{} {:3.0f} %{}{}{}", task_, 100 * fraction, left, note.empty() ? "" : ", ",
+             note);
   std::fflush(stderr);
   drawn_ = true;
 }

@@ -14,7 +14,8 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  // `fraction` in [0, 1]; `note` follows the bar ("12.3 M particle-steps/s"). Drawn at most ten times a second.
+  // `fraction` in [0, 1]; `note` follows the bar ("12.3 M particle-steps/s"). Drawn at most ten times a
+  // second.
   void update(std::string_view task, double fraction, std::string_view note = {});
   void clear();
 

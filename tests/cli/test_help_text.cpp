@@ -1,11 +1,9 @@
-#include "cli/help_text.hpp"
-
 #include <gtest/gtest.h>
-
 #include <set>
 #include <string>
 
 #include "cli/app.hpp"
+#include "cli/help_text.hpp"
 #include "variants/axes.hpp"
 
 namespace warpgrain::cli {
@@ -14,7 +12,8 @@ namespace {
 TEST(HelpText, ReadsSummariesAndOptions) {
   const HelpText text(
       "# page\nprose\n\n## common\nShared.\n\n| option | meaning |\n|---|---|\n| `--json` | Write JSON |\n\n"
-      "## run\nRuns a scene\nto its end.\n\nMore prose.\n\n| option | meaning |\n|---|---|\n| `--steps` | So many |\n");
+      "## run\nRuns a scene\nto its end.\n\nMore prose.\n\n| option | meaning |\n|---|---|\n| `--steps` | So "
+      "many |\n");
   EXPECT_EQ(text.summary("run"), "Runs a scene to its end.");
   EXPECT_EQ(text.option("run", "--steps"), "So many");
   EXPECT_EQ(text.option("run", "--json"), "Write JSON");
@@ -22,7 +21,8 @@ TEST(HelpText, ReadsSummariesAndOptions) {
   EXPECT_THROW(text.summary("walk"), std::logic_error);
 }
 
-// The page has a row for every option of every command, and no row more. Axes are documented by their own tables.
+// The page has a row for every option of every command, and no row more. Axes are documented by their own
+// tables.
 TEST(HelpText, PageAndCommandsHaveTheSameOptions) {
   Action chosen;
   const auto app = make_app(chosen);
