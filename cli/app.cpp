@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "cli/help_text.hpp"
+#include "cli/output.hpp"
 #include "core/error.hpp"
 
 namespace warpgrain::cli {
@@ -61,6 +62,7 @@ std::unique_ptr<CLI::App> make_app(Action& chosen) {
 }
 
 int run_app(int argc, const char* const* argv) {
+  set_command_line(argc, argv);
   Action chosen;
   try {
     const auto app = make_app(chosen);

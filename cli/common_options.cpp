@@ -38,8 +38,10 @@ void VariantOptions::add_to(CLI::App& command) {
   }
 }
 
-Variant VariantOptions::resolve() const {
-  Variant resolved = variant ? Variant::parse(*variant) : Variant{};
+Variant VariantOptions::resolve(const Scene& scene) const {
+  Variant resolved;
+  if (scene.model.contact == ContactModel::simple) resolved.set("contact", "simple");
+  if (variant) resolved = Variant::parse(*variant);
   for (std::size_t a = 0; a < n_axes; ++a)
     if (values[a]) resolved.set(axes()[a].name, *values[a]);
   return resolved;

@@ -37,7 +37,8 @@ struct VariantOptions {
   std::array<std::optional<std::string>, n_axes> values;
 
   void add_to(CLI::App& command);
-  Variant resolve() const;
+  // Without a contact law in the call the scene's model decides: a scene of the simple model runs `simple`.
+  Variant resolve(const Scene& scene) const;
 };
 
 struct DeviceOptions {

@@ -1,5 +1,5 @@
 #pragma once
-// Where a command's results go.
+// Where a command's results go, and how it was called.
 
 #include <string>
 #include <string_view>
@@ -9,5 +9,9 @@ namespace warpgrain::cli {
 // Writes `text` to stdout when `target` is "-", else to that file, whole or not at all. Throws InputError
 // when the file cannot be written.
 void write_output(const std::string& target, std::string_view text);
+
+// The call of this process, quoted so that a shell takes it again: part of every document's provenance.
+const std::string& command_line();
+void set_command_line(int argc, const char* const* argv);
 
 }  // namespace warpgrain::cli

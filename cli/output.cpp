@@ -1,0 +1,41 @@
+#include "cli/output.hpp"
+
+#include <iostream>
+
+#include "core/file_io.hpp"
+
+namespace warpgrain::cli {
+namespace {
+
+std::string& stored_command_line() {
+  static std::string text;
+  return text;
+}
+
+std::string quoted(std::string_view word) {
+  constexpr std::string_view plain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=,./:@%";
+  if (!word.empty() && word.find_first_not_of(plain) == std::string_view::npos) return std::string(word);
+  std::string text = "'";
+  for (char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+}  // namespace
+
+void write_output(const std::string& target, std::string_view text) {
+  if (target == "-")
+    std::cout << text;
+  else
+    write_file_atomically(target, text);
+}
+
+const std::string& command_line() { return stored_command_line(); }
+
+void set_command_line(int argc, const char* const* argv) {
+  std::string text = "warpgrain";  // not the path that this machine has it under
+  for (int k = 1; k < argc; ++k) text += " " + quoted(argv[k]);
+  stored_command_line() = text;
+}
+
+}  // namespace warpgrain::cli

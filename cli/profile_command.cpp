@@ -1,0 +1,90 @@
+// `warpgrain profile`: the divergence report of a launch file, or of one time step of a scene.
+
+#include <CLI/Validators.hpp>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "cli/app.hpp"
+#include "cli/common_options.hpp"
+#include "cli/help_text.hpp"
+#include "cli/output.hpp"
+#include "cli/profile_options.hpp"
+#include "cli/run_loop.hpp"
+#include "core/error.hpp"
+#include "profiler/launch_file.hpp"
+#include "reports/html_report.hpp"
+#include "reports/report_json.hpp"
+#include "reports/text_report.hpp"
+#include "variants/step_profile.hpp"
+
+namespace warpgrain::cli {
+namespace {
+
+struct Options {
+  std::string launch;
+  std::string build_options;
+  SceneOptions scene;
+  VariantOptions variant;
+  DeviceOptions device;
+  SimulatorOptions simulator;
+  OutputOptions output;
+  std::uint64_t at_step = 0;
+  std::string html;
+};
+
+reports::Report profile_launch_file(const Options& options, Progress& progress) {
+  const profiler::LaunchFile file = profiler::read_launch_file(options.launch);
+  const auto result = profiler::profile_launch_file(
+      file, options.build_options, options.simulator.profile_options(options.device, progress), std::cout);
+  return reports::make_report(std::span(&result.profile, 1), command_line());
+}
+
+reports::Report profile_scene(const Options& options, Progress& progress) {
+  const Scene scene = options.scene.load();
+  const Variant variant = options.variant.resolve(scene);
+  const Scene at_step = advanced(scene, variant, options.device.backend_options(), options.at_step, progress);
+  const auto launches =
+      profile_step(at_step, variant, options.simulator.profile_options(options.device, progress));
+  reports::Report report = reports::make_report(launches, command_line());
+  report.scene = scene.name;
+  report.variant = variant.name();
+  report.particles = scene.particles.size();
+  report.step = options.at_step;
+  return report;
+}
+
+int profile(const Options& options) {
+  if (options.launch.empty() == options.scene.scene.empty())
+    throw_input_error("warpgrain profile",
+                      options.launch.empty() ? "nothing to profile" : "both a launch file and --scene",
+                      "either a launch file (.sim) or --scene FILE|NAME");
+  Progress progress(options.output.quiet);
+  const reports::Report report =
+      options.launch.empty() ? profile_scene(options, progress) : profile_launch_file(options, progress);
+  progress.clear();
+  if (!options.output.json.empty()) write_output(options.output.json, reports::report_json(report));
+  if (!options.html.empty()) write_output(options.html, reports::html_report(report));
+  if (options.output.summary()) std::cout << reports::text_report(report);
+  return 0;
+}
+
+}  // namespace
+
+void add_profile_command(CLI::App& app, Action& chosen) {
+  auto options = std::make_shared<Options>();
+  CLI::App& command = *app.add_subcommand("profile", help_text().summary("profile"));
+  add_option(command, "launch", options->launch);
+  add_option(command, "--build-options", options->build_options);
+  options->scene.add_to(command);
+  add_option(command, "--at-step", options->at_step);
+  add_option(command, "--html", options->html);
+  options->simulator.add_to(command);
+  options->variant.add_to(command);
+  options->device.add_to(command);
+  options->output.add_to(command);
+  command.callback([options, &chosen] { chosen = [options] { return profile(*options); }; });
+}
+
+}  // namespace warpgrain::cli

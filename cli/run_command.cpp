@@ -1,0 +1,104 @@
+// `warpgrain run`: simulates a scene; timings, energies, contacts, the final state.
+
+#include <filesystem>
+#include <fmt/format.h>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "cli/app.hpp"
+#include "cli/common_options.hpp"
+#include "cli/help_text.hpp"
+#include "cli/output.hpp"
+#include "cli/run_loop.hpp"
+#include "core/energy.hpp"
+#include "core/state_file.hpp"
+#include "reports/run_report.hpp"
+#include "reports/text_run.hpp"
+#include "reports/vtk_file.hpp"
+
+namespace warpgrain::cli {
+namespace {
+
+struct RunOptions {
+  SceneOptions scene;
+  VariantOptions variant;
+  DeviceOptions device;
+  OutputOptions output;
+  std::string backend = "opencl";
+  std::optional<std::uint64_t> steps;
+  bool until_rest = false;
+  std::uint64_t sample_every = 0;
+  std::string state_file, vtk_folder;
+};
+
+RunGoal goal_of(const RunOptions& options, const Scene& scene) {
+  RunGoal goal = goal_of(scene);
+  if (options.steps) goal = {options.steps, {}, 0};
+  if (options.until_rest) goal = {{}, rest_of(scene), 0};
+  goal.sample_every = options.sample_every;
+  return goal;
+}
+
+int run(const RunOptions& options) {
+  const Backend& chosen_backend = backend(options.backend);
+  const Scene scene = options.scene.load();
+  const Variant variant = options.variant.resolve(scene);
+  for (const std::string& warning : time_step_warnings(scene)) std::cerr << "warning: " << warning << '\n';
+  const auto simulation = chosen_backend.create(scene, variant, options.device.backend_options());
+
+  reports::RunReport report;
+  report.generator = reports::this_generator();
+  report.command_line = command_line();
+  report.scene = scene.name;
+  report.variant = variant.name();
+  report.backend = chosen_backend.name;
+  report.device = simulation->device();
+  report.particles = scene.particles.size();
+  report.time_step = scene.time_step;
+  const auto sample = [&] {
+    const std::uint64_t step = simulation->steps_done();
+    const ParticleState state = simulation->state();
+    const Energy energy = energy_of(scene, state);
+    report.energy.push_back({step, static_cast<double>(step) * scene.time_step, energy.translational,
+                             energy.rotational, energy.gravitational, energy.elastic});
+    if (!options.vtk_folder.empty())
+      reports::write_vtk_particles(
+          std::filesystem::path(options.vtk_folder) / fmt::format("particles_{:09}.vtp", step), state);
+  };
+  Progress progress(options.output.quiet);
+  const RunOutcome outcome = run_to_goal(*simulation, goal_of(options, scene), sample, progress);
+  progress.clear();
+
+  report.steps = simulation->steps_done();
+  report.wall_seconds = outcome.wall_seconds;
+  report.at_rest = outcome.at_rest;
+  report.contacts = simulation->contact_count();
+  for (const KernelTiming& timing : simulation->timings())
+    report.kernels.push_back({timing.kernel, timing.calls, timing.seconds});
+
+  if (!options.state_file.empty()) write_state_file(options.state_file, simulation->state());
+  if (!options.output.json.empty()) write_output(options.output.json, reports::run_json(report));
+  if (options.output.summary()) std::cout << reports::text_run(report);
+  return 0;
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& app, Action& chosen) {
+  auto options = std::make_shared<RunOptions>();
+  CLI::App& command = *app.add_subcommand("run", help_text().summary("run"));
+  options->scene.add_to(command)->required();
+  add_option(command, "--backend", options->backend);
+  CLI::Option* steps = add_option(command, "--steps", options->steps);
+  add_flag(command, "--until-rest", options->until_rest)->excludes(steps);
+  add_option(command, "--sample-every", options->sample_every);
+  add_option(command, "--state", options->state_file);
+  add_option(command, "--vtk", options->vtk_folder);
+  options->variant.add_to(command);
+  options->device.add_to(command);
+  options->output.add_to(command);
+  command.callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+}
+
+}  // namespace warpgrain::cli

@@ -1,0 +1,112 @@
+#include "cli/run_loop.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <vector>
+
+namespace warpgrain::cli {
+namespace {
+
+constexpr std::uint64_t never = std::numeric_limits<std::uint64_t>::max();
+
+std::uint64_t next_multiple(std::uint64_t step, std::uint64_t interval) {
+  return interval ? (step / interval + 1) * interval : never;
+}
+
+// Watches the largest displacement of any particle over windows of steps.
+class RestDetector {
+ public:
+  explicit RestDetector(const Simulation& simulation) : simulation_(simulation) {
+    before_ = simulation.state().position;
+  }
+  // The largest displacement since the last call [m].
+  double displacement() {
+    std::vector<Vector3d> now = simulation_.state().position;
+    double largest = 0;
+    for (std::size_t k = 0; k < now.size(); ++k) largest = std::max(largest, (now[k] - before_[k]).norm());
+    before_ = std::move(now);
+    return largest;
+  }
+
+ private:
+  const Simulation& simulation_;
+  std::vector<Vector3d> before_;
+};
+
+}  // namespace
+
+RunEnd::AtRest rest_of(const Scene& scene) {
+  if (scene.end.at_rest) return *scene.end.at_rest;
+  const auto& radius = scene.particles.radius;
+  return {1e-3 * *std::min_element(radius.begin(), radius.end()), 1000};
+}
+
+RunGoal goal_of(const Scene& scene) {
+  RunGoal goal;
+  if (scene.end.steps) goal.steps = scene.end.steps;
+  if (scene.end.time) goal.steps = static_cast<std::uint64_t>(std::ceil(*scene.end.time / scene.time_step));
+  goal.at_rest = scene.end.at_rest;
+  return goal;
+}
+
+RunOutcome run_to_goal(Simulation& simulation, const RunGoal& goal, const std::function<void()>& sample,
+                       Progress& progress) {
+  using Clock = std::chrono::steady_clock;
+  const std::uint64_t last = goal.steps.value_or(never);
+  const std::uint64_t window = goal.at_rest ? goal.at_rest->window : 0;
+  const std::uint64_t sample_every = goal.sample_every ? goal.sample_every
+                                     : goal.steps      ? std::max<std::uint64_t>(1, *goal.steps / 100)
+                                                       : window;
+  const double particles = static_cast<double>(simulation.state().size());
+  // Chunks short enough for the line of progress to move, long enough for a device not to wait for it.
+  const std::uint64_t chunk =
+      std::clamp<std::uint64_t>(static_cast<std::uint64_t>(2e6 / (particles + 1)), 1, 10000);
+
+  RunOutcome outcome;
+  RestDetector rest(simulation);
+  sample();
+  std::uint64_t step = 0, sampled_at = 0;
+  double largest_displacement = 0;
+  while (step < last && !outcome.at_rest) {
+    const std::uint64_t until =
+        std::min({last, step + chunk, next_multiple(step, sample_every), next_multiple(step, window)});
+    const auto start = Clock::now();
+    simulation.step(until - step);
+    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    outcome.wall_seconds += seconds;
+    const double rate = particles * static_cast<double>(until - step) / seconds;
+    step = until;
+
+    if (window && step % window == 0) {
+      largest_displacement = rest.displacement();
+      outcome.at_rest = largest_displacement <= goal.at_rest->displacement;
+    }
+    if (step % sample_every == 0) {
+      sample();
+      sampled_at = step;
+    }
+    const double fraction = goal.steps ? static_cast<double>(step) / static_cast<double>(last) : 0;
+    progress.update(goal.steps ? "steps" : fmt::format("step {}", step), fraction,
+                    window ? fmt::format("{:.2f} M particle-steps/s, largest displacement {:.3g} m",
+                                         rate * 1e-6, largest_displacement)
+                           : fmt::format("{:.2f} M particle-steps/s", rate * 1e-6));
+  }
+  if (sampled_at != step) sample();
+  return outcome;
+}
+
+Scene advanced(const Scene& scene, const Variant& variant, const BackendOptions& options, std::uint64_t steps,
+               Progress& progress) {
+  Scene result = scene;
+  if (steps == 0) return result;
+  const auto simulation = backend("opencl").create(scene, variant, options);
+  run_to_goal(
+      *simulation, {steps, {}, steps}, [] {}, progress);
+  result.particles = simulation->state();
+  return result;
+}
+
+}  // namespace warpgrain::cli

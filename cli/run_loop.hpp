@@ -1,0 +1,40 @@
+#pragma once
+// Advances a simulation to the end that a scene or a call asks for.
+
+#include <cstdint>
+#include <functional>
+
+#include "cli/progress.hpp"
+#include "core/scene.hpp"
+#include "variants/backend.hpp"
+
+namespace warpgrain::cli {
+
+struct RunGoal {
+  // Steps to do; without a limit the run ends at rest only.
+  std::optional<std::uint64_t> steps;
+  // Ends earlier when no particle has moved farther than this over the window.
+  std::optional<RunEnd::AtRest> at_rest;
+  std::uint64_t sample_every = 0;  // steps between two samples; 0 takes a hundredth of the run, or the window
+};
+
+// The goal of the scene's time.end.
+RunGoal goal_of(const Scene& scene);
+// Rest as the scene states it; else no particle moving more than a thousandth of the smallest radius in 1000
+// steps.
+RunEnd::AtRest rest_of(const Scene& scene);
+
+struct RunOutcome {
+  double wall_seconds = 0;  // of the steps alone
+  bool at_rest = false;
+};
+
+// Calls `sample` before the first step, every `sample_every` steps and after the last step.
+RunOutcome run_to_goal(Simulation& simulation, const RunGoal& goal, const std::function<void()>& sample,
+                       Progress& progress);
+
+// The scene after `steps` steps of `variant` on the OpenCL device: what later runs and profiles start from.
+Scene advanced(const Scene& scene, const Variant& variant, const BackendOptions& options, std::uint64_t steps,
+               Progress& progress);
+
+}  // namespace warpgrain::cli

@@ -1,0 +1,65 @@
+#include "cli/sweep_case.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <vector>
+
+#include "analysis/force_error.hpp"
+#include "analysis/statistics.hpp"
+#include "cli/output.hpp"
+#include "cli/sweep_plan.hpp"
+#include "core/file_io.hpp"
+#include "reports/report_json.hpp"
+#include "variants/contact_laws.hpp"
+#include "variants/step_profile.hpp"
+
+namespace warpgrain::cli {
+
+const ForceState& ReferenceForces::of(ContactModel model) {
+  const auto known = forces_.find(model);
+  if (known != forces_.end()) return known->second;
+  Scene scene = setting_.scene;
+  scene.model.contact = model;
+  return forces_[model] = evaluate_forces(scene, scene.particles, scene.time_step).forces;
+}
+
+reports::BackendReading time_and_check(const SweepSetting& setting, const Variant& variant,
+                                       ReferenceForces& reference) {
+  using Clock = std::chrono::steady_clock;
+  const auto simulation = backend("opencl").create(setting.scene, variant, setting.backend);
+  reports::BackendReading reading;
+  reading.backend = "opencl";
+  reading.device = simulation->device();
+  reading.steps = setting.timed_steps;
+
+  const ForceState& expected = reference.of(contact_law(variant).model);
+  const ForceError error = force_error(simulation->state(), simulation->forces(), expected);
+  reading.force_error = {{error.force.maximum, error.force.root_mean_square}};
+
+  // Five readings of equal length: the median of few steps resists the neighbours of a shared machine.
+  constexpr std::uint64_t readings = 5;
+  const std::uint64_t steps = std::max<std::uint64_t>(1, setting.timed_steps / readings);
+  std::vector<double> seconds;
+  for (std::uint64_t k = 0; k < readings && setting.timed_steps; ++k) {
+    const auto start = Clock::now();
+    simulation->step(steps);
+    seconds.push_back(std::chrono::duration<double>(Clock::now() - start).count() /
+                      static_cast<double>(steps));
+  }
+  if (!seconds.empty()) reading.seconds_per_step = median(seconds);
+  return reading;
+}
+
+ProfiledCase profile_case(const SweepSetting& setting, const Variant& variant) {
+  reports::Report report =
+      reports::make_report(profile_step(setting.scene, variant, setting.profile), command_line());
+  report.scene = setting.scene.name;
+  report.variant = variant.name();
+  report.particles = setting.scene.particles.size();
+  report.step = setting.at_step;
+  ProfiledCase result{file_stem(variant) + ".report.json", reports::headline_of(reports::kernels_of(report))};
+  write_file_atomically(setting.folder / result.report_file, reports::report_json(report));
+  return result;
+}
+
+}  // namespace warpgrain::cli

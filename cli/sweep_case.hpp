@@ -1,0 +1,52 @@
+#pragma once
+// One case of a sweep: a variant timed, checked and profiled at the sweep's common state.
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "cli/profile_options.hpp"
+#include "core/reference_forces.hpp"
+#include "core/scene.hpp"
+#include "reports/sweep_index.hpp"
+#include "variants/axes.hpp"
+#include "variants/backend.hpp"
+
+namespace warpgrain::cli {
+
+// What all cases share.
+struct SweepSetting {
+  Scene scene;  // particles at the common state
+  std::uint64_t at_step = 0;
+  std::uint64_t timed_steps = 0;
+  BackendOptions backend;
+  profiler::ProfileOptions profile;
+  std::filesystem::path folder;
+};
+
+// Forces of the double reference at the common state, evaluated once for each contact model.
+class ReferenceForces {
+ public:
+  explicit ReferenceForces(const SweepSetting& setting) : setting_(setting) {}
+  const ForceState& of(ContactModel model);
+
+ private:
+  const SweepSetting& setting_;
+  std::map<ContactModel, ForceState> forces_;
+};
+
+// Runs the variant on the OpenCL device: seconds a step, and the error of its forces against the double
+// reference.
+reports::BackendReading time_and_check(const SweepSetting& setting, const Variant& variant,
+                                       ReferenceForces& reference);
+
+// Profiles one time step and writes its report into the folder; returns the file's name and the headline
+// numbers.
+struct ProfiledCase {
+  std::string report_file;
+  reports::Headline headline;
+};
+ProfiledCase profile_case(const SweepSetting& setting, const Variant& variant);
+
+}  // namespace warpgrain::cli

@@ -1,0 +1,28 @@
+#pragma once
+// Which cases a sweep has.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "variants/axes.hpp"
+
+namespace warpgrain::cli {
+
+// All variants whose values are among those named, in table order. Each entry of `axis_options` is
+// "name=value,value"; an axis that is not named takes all its values. Throws InputError for a name or value
+// that there is not, for an axis named twice and for a selection without any variant.
+std::vector<Variant> swept_variants(const std::vector<std::string>& axis_options);
+
+// "I/N": the I-th of N parts, I from 1.
+struct Shard {
+  std::size_t index = 1, count = 1;
+  static Shard parse(const std::string& text);  // throws InputError
+  // Whether the case with this position in the whole sweep is this shard's.
+  bool has(std::size_t position) const { return position % count == index - 1; }
+};
+
+// The variant's name as a file name: branchy-cells-cell-fp32-default.
+std::string file_stem(const Variant& variant);
+
+}  // namespace warpgrain::cli
