@@ -13,6 +13,7 @@
 #include "cli/run_loop.hpp"
 #include "core/energy.hpp"
 #include "core/state_file.hpp"
+#include "core/time_step.hpp"
 #include "reports/run_report.hpp"
 #include "reports/text_run.hpp"
 #include "reports/vtk_file.hpp"
@@ -44,7 +45,9 @@ int run(const RunOptions& options) {
   const Backend& chosen_backend = backend(options.backend);
   const Scene scene = options.scene.load();
   const Variant variant = options.variant.resolve(scene);
-  for (const std::string& warning : time_step_warnings(scene)) std::cerr << "warning: " << warning << '\n';
+  const TimeStepLimits limits = time_step_limits(scene);
+  if (const std::string warning = time_step_warning(scene.time_step, limits); !warning.empty())
+    std::cerr << "warning: " << warning << '\n';
   const auto simulation = chosen_backend.create(scene, variant, options.device.backend_options());
 
   reports::RunReport report;
@@ -79,7 +82,12 @@ int run(const RunOptions& options) {
 
   if (!options.state_file.empty()) write_state_file(options.state_file, simulation->state());
   if (!options.output.json.empty()) write_output(options.output.json, reports::run_json(report));
-  if (options.output.summary()) std::cout << reports::text_run(report);
+  if (options.output.summary())
+    std::cout
+        << reports::text_run(report)
+        << fmt::format(
+               "\ntime step {:.3g} s; Rayleigh time {:.3g} s, Hertz contact time {:.3g} s at {:.3g} m/s\n",
+               scene.time_step, limits.rayleigh_time, limits.hertz_contact_time, limits.impact_speed);
   return 0;
 }
 
