@@ -14,6 +14,7 @@
 #include "cli/help_text.hpp"
 #include "cli/output.hpp"
 #include "core/error.hpp"
+#include "reports/generator.hpp"
 
 namespace warpgrain::cli {
 namespace {
@@ -51,8 +52,9 @@ std::unique_ptr<CLI::App> make_app(Action& chosen) {
       "variant "
       "costs in accuracy.",
       "warpgrain");
+  const reports::Generator generator = reports::this_generator();
   app->set_version_flag("--version",
-                        fmt::format("warpgrain {} ({})", WARPGRAIN_VERSION, WARPGRAIN_GIT_REVISION));
+                        fmt::format("warpgrain {} ({})", generator.version, generator.git_revision));
   app->require_subcommand(1);
   add_list_command(*app, chosen);
   add_run_command(*app, chosen);

@@ -16,9 +16,15 @@ std::string quoted(std::string_view word) {
   constexpr std::string_view plain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=,./:@%";
   if (!word.empty() && word.find_first_not_of(plain) == std::string_view::npos) return std::string(word);
-  std::string text = "'";
-  for (char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
+  std::string text(1, '\'');
+  for (char c : word) {
+    if (c == '\'')
+      text.append("'\\''");
+    else
+      text.push_back(c);
+  }
+  text.push_back('\'');
+  return text;
 }
 
 }  // namespace
@@ -34,7 +40,7 @@ const std::string& command_line() { return stored_command_line(); }
 
 void set_command_line(int argc, const char* const* argv) {
   std::string text = "warpgrain";  // not the path that this machine has it under
-  for (int k = 1; k < argc; ++k) text += " " + quoted(argv[k]);
+  for (int k = 1; k < argc; ++k) text.append(" ").append(quoted(argv[k]));
   stored_command_line() = text;
 }
 

@@ -63,8 +63,9 @@ int run(const RunOptions& options) {
     const std::uint64_t step = simulation->steps_done();
     const ParticleState state = simulation->state();
     const Energy energy = energy_of(scene, state);
-    report.energy.push_back({step, static_cast<double>(step) * scene.time_step, energy.translational,
-                             energy.rotational, energy.gravitational, energy.elastic});
+    report.energy.push_back({step, static_cast<double>(step) * scene.time_step, energy.kinetic_translational,
+                             energy.kinetic_rotational, energy.gravitational,
+                             energy.elastic_normal + energy.elastic_tangential});
     if (!options.vtk_folder.empty())
       reports::write_vtk_particles(
           std::filesystem::path(options.vtk_folder) / fmt::format("particles_{:09}.vtp", step), state);

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
-#include <vector>
+#include <optional>
+
+#include "core/rest_criterion.hpp"
 
 namespace warpgrain::cli {
 namespace {
@@ -15,26 +17,6 @@ constexpr std::uint64_t never = std::numeric_limits<std::uint64_t>::max();
 std::uint64_t next_multiple(std::uint64_t step, std::uint64_t interval) {
   return interval ? (step / interval + 1) * interval : never;
 }
-
-// Watches the largest displacement of any particle over windows of steps.
-class RestDetector {
- public:
-  explicit RestDetector(const Simulation& simulation) : simulation_(simulation) {
-    before_ = simulation.state().position;
-  }
-  // The largest displacement since the last call [m].
-  double displacement() {
-    std::vector<Vector3d> now = simulation_.state().position;
-    double largest = 0;
-    for (std::size_t k = 0; k < now.size(); ++k) largest = std::max(largest, (now[k] - before_[k]).norm());
-    before_ = std::move(now);
-    return largest;
-  }
-
- private:
-  const Simulation& simulation_;
-  std::vector<Vector3d> before_;
-};
 
 }  // namespace
 
@@ -66,10 +48,10 @@ RunOutcome run_to_goal(Simulation& simulation, const RunGoal& goal, const std::f
       std::clamp<std::uint64_t>(static_cast<std::uint64_t>(2e6 / (particles + 1)), 1, 10000);
 
   RunOutcome outcome;
-  RestDetector rest(simulation);
+  std::optional<RestCriterion> rest;
+  if (goal.at_rest) rest.emplace(*goal.at_rest, simulation.steps_done(), simulation.state().position);
   sample();
   std::uint64_t step = 0, sampled_at = 0;
-  double largest_displacement = 0;
   while (step < last && !outcome.at_rest) {
     const std::uint64_t until =
         std::min({last, step + chunk, next_multiple(step, sample_every), next_multiple(step, window)});
@@ -80,19 +62,17 @@ RunOutcome run_to_goal(Simulation& simulation, const RunGoal& goal, const std::f
     const double rate = particles * static_cast<double>(until - step) / seconds;
     step = until;
 
-    if (window && step % window == 0) {
-      largest_displacement = rest.displacement();
-      outcome.at_rest = largest_displacement <= goal.at_rest->displacement;
-    }
+    if (rest && step % window == 0)
+      outcome.at_rest = rest->update(simulation.steps_done(), simulation.state().position);
     if (step % sample_every == 0) {
       sample();
       sampled_at = step;
     }
     const double fraction = goal.steps ? static_cast<double>(step) / static_cast<double>(last) : 0;
     progress.update(goal.steps ? "steps" : fmt::format("step {}", step), fraction,
-                    window ? fmt::format("{:.2f} M particle-steps/s, largest displacement {:.3g} m",
-                                         rate * 1e-6, largest_displacement)
-                           : fmt::format("{:.2f} M particle-steps/s", rate * 1e-6));
+                    rest ? fmt::format("{:.2f} M particle-steps/s, largest displacement {:.3g} m",
+                                       rate * 1e-6, largest_displacement)
+                         : fmt::format("{:.2f} M particle-steps/s", rate * 1e-6));
   }
   if (sampled_at != step) sample();
   return outcome;

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "reports/atomic_file.hpp"
+#include "core/file_io.hpp"
 
 namespace warpgrain::reports {
 namespace {
