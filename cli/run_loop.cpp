@@ -71,7 +71,7 @@ RunOutcome run_to_goal(Simulation& simulation, const RunGoal& goal, const std::f
     const double fraction = goal.steps ? static_cast<double>(step) / static_cast<double>(last) : 0;
     progress.update(goal.steps ? "steps" : fmt::format("step {}", step), fraction,
                     rest ? fmt::format("{:.2f} M particle-steps/s, largest displacement {:.3g} m",
-                                       rate * 1e-6, largest_displacement)
+                                       rate * 1e-6, rest->displacement())
                          : fmt::format("{:.2f} M particle-steps/s", rate * 1e-6));
   }
   if (sampled_at != step) sample();
