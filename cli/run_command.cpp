@@ -76,7 +76,9 @@ int run(const RunOptions& options) {
 
   report.steps = simulation->steps_done();
   report.wall_seconds = outcome.wall_seconds;
-  report.at_rest = outcome.at_rest;
+  report.ended_by = outcome.at_rest                    ? reports::RunEndReason::at_rest
+                    : scene.end.time && !options.steps ? reports::RunEndReason::time
+                                                       : reports::RunEndReason::steps;
   report.contacts = simulation->contact_count();
   for (const KernelTiming& timing : simulation->timings())
     report.kernels.push_back({timing.kernel, timing.calls, timing.seconds});

@@ -44,7 +44,8 @@ std::string text_run(const RunReport& run) {
                                  count_text(run.particles), run.backend, run.device);
   text += fmt::format("{} steps of {} in {}: {:.3f} million particle-steps/s{}\n", count_text(run.steps),
                       seconds_text(run.time_step), seconds_text(run.wall_seconds),
-                      run.particle_steps_per_second() * 1e-6, run.at_rest ? "; ends at rest" : "");
+                      run.particle_steps_per_second() * 1e-6,
+                      run.ended_by == RunEndReason::at_rest ? "; ends at rest" : "");
   text += fmt::format("{} contacts at the end\n", count_text(run.contacts));
   if (!run.energy.empty()) text += "\n" + energy_table(run);
   if (!run.kernels.empty()) text += "\n" + kernel_table(run);
