@@ -65,7 +65,7 @@ int profile(const Options& options) {
       options.launch.empty() ? profile_scene(options, progress) : profile_launch_file(options, progress);
   progress.clear();
   if (!options.output.json.empty()) write_output(options.output.json, reports::report_json(report));
-  if (!options.html.empty()) write_output(options.html, reports::html::report_page(report));
+  if (!options.html.empty()) write_output(options.html, reports::report_page(report));
   if (options.output.summary()) std::cout << reports::text_report(report);
   return 0;
 }

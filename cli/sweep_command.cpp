@@ -206,7 +206,7 @@ class Sweep {
   int finish() {
     index_->sort(variants_);
     const reports::SweepIndex& index = index_->index();
-    write_file_atomically(setting_.folder / "index.html", reports::html::sweep_page(index));
+    write_file_atomically(setting_.folder / "index.html", reports::sweep_page(index));
     if (!options_.output.json.empty()) write_output(options_.output.json, reports::sweep_json(index));
     if (options_.output.summary())
       std::cout << reports::text_sweep(index) << "\nreports: " << (setting_.folder / index_name).string()
