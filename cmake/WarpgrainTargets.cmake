@@ -4,8 +4,6 @@
 add_library(warpgrain_options INTERFACE)
 target_compile_options(warpgrain_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wcast-align -Werror
-  # GCC 12 sees overlapping copies in `literal + std::string` that are not there (GCC bug 105651).
-  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
   # The reference must give the same bits whatever the compiler's taste for fused multiply-add.
   -ffp-contract=off)
 if(WARPGRAIN_SANITIZE)
