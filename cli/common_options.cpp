@@ -14,9 +14,19 @@ CLI::Option* add_flag(CLI::App& command, const std::string& name, bool& value) {
   return command.add_flag(name, value, option_text(command, name));
 }
 
+namespace {
+
+std::string above_zero(const std::string& text) {
+  const bool whole = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+  if (whole && text.find_first_not_of('0') != std::string::npos) return {};
+  return fmt::format("'{}'; expected a whole number above 0", text);
+}
+
+}  // namespace
+
 CLI::Option* SceneOptions::add_to(CLI::App& command) {
   CLI::Option* option = add_option(command, "--scene", scene);
-  add_option(command, "--particles", particles)->check(CLI::PositiveNumber);
+  add_option(command, "--particles", particles)->check(above_zero, "");
   add_option(command, "--seed", seed);
   return option;
 }

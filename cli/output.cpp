@@ -1,7 +1,9 @@
 #include "cli/output.hpp"
 
 #include <iostream>
+#include <system_error>
 
+#include "core/error.hpp"
 #include "core/file_io.hpp"
 
 namespace warpgrain::cli {
@@ -34,6 +36,13 @@ void write_output(const std::string& target, std::string_view text) {
     std::cout << text;
   else
     write_file_atomically(target, text);
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error || !std::filesystem::is_directory(folder))
+    throw_input_error(folder.string(), "no folder can be made here", "a writable place");
 }
 
 const std::string& command_line() { return stored_command_line(); }

@@ -1,6 +1,7 @@
 #pragma once
 // Where a command's results go, and how it was called.
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -9,6 +10,9 @@ namespace warpgrain::cli {
 // Writes `text` to stdout when `target` is "-", else to that file, whole or not at all. Throws InputError
 // when the file cannot be written.
 void write_output(const std::string& target, std::string_view text);
+
+// Makes the folder and those above it. Throws InputError when that cannot be.
+void make_folder(const std::filesystem::path& folder);
 
 // The call of this process, quoted so that a shell takes it again: part of every document's provenance.
 const std::string& command_line();

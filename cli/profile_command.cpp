@@ -1,6 +1,5 @@
 // `warpgrain profile`: the divergence report of a launch file, or of one time step of a scene.
 
-#include <CLI/Validators.hpp>
 #include <filesystem>
 #include <iostream>
 #include <memory>

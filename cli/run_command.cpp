@@ -33,7 +33,7 @@ struct RunOptions {
   std::string state_file, vtk_folder;
 };
 
-RunGoal goal_of(const RunOptions& options, const Scene& scene) {
+RunGoal requested_goal(const RunOptions& options, const Scene& scene) {
   RunGoal goal = goal_of(scene);
   if (options.steps) goal = {options.steps, {}, 0};
   if (options.until_rest) goal = {{}, rest_of(scene), 0};
@@ -48,6 +48,7 @@ int run(const RunOptions& options) {
   const TimeStepLimits limits = time_step_limits(scene);
   if (const std::string warning = time_step_warning(scene.time_step, limits); !warning.empty())
     std::cerr << "warning: " << warning << '\n';
+  if (!options.vtk_folder.empty()) make_folder(options.vtk_folder);
   const auto simulation = chosen_backend.create(scene, variant, options.device.backend_options());
 
   reports::RunReport report;
@@ -71,7 +72,7 @@ int run(const RunOptions& options) {
           std::filesystem::path(options.vtk_folder) / fmt::format("particles_{:09}.vtp", step), state);
   };
   Progress progress(options.output.quiet);
-  const RunOutcome outcome = run_to_goal(*simulation, goal_of(options, scene), sample, progress);
+  const RunOutcome outcome = run_to_goal(*simulation, requested_goal(options, scene), sample, progress);
   progress.clear();
 
   report.steps = simulation->steps_done();

@@ -1,8 +1,8 @@
 // `warpgrain sweep`: every combination of the axes on one scene, one report a case, one index.
 
-#include <CLI/Validators.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <future>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -23,6 +23,7 @@
 #include "core/error.hpp"
 #include "core/file_io.hpp"
 #include "reports/html/sweep_page.hpp"
+#include "reports/sweep_columns.hpp"
 #include "reports/sweep_index.hpp"
 #include "reports/text_sweep.hpp"
 
@@ -130,6 +131,7 @@ class Sweep {
     index.scene = setting_.scene.name;
     index.particles = setting_.scene.particles.size();
     index.step = options_.at_step;
+    make_folder(setting_.folder);
     index_.emplace(setting_.folder, std::move(index));
     if (options_.resume) index_->resume();
     for (const Variant& variant : cases_)
@@ -140,7 +142,7 @@ class Sweep {
     reports::SweepCase row;
     row.variant = variant.name();
     for (std::size_t a = 0; a < n_axes; ++a)
-      row.axes.emplace_back(axes()[a].name, variant.value(static_cast<AxisId>(a)));
+      row.axes.emplace(axes()[a].name, variant.value(static_cast<AxisId>(a)));
     return row;
   }
 
@@ -199,8 +201,9 @@ class Sweep {
         index_->put(pending.row);
       }
     };
-    std::vector<std::jthread> threads;
-    for (unsigned k = 0; k < jobs; ++k) threads.emplace_back(worker);
+    std::vector<std::future<void>> workers;  // whose get() hands on what a worker threw
+    for (unsigned k = 0; k < jobs; ++k) workers.push_back(std::async(std::launch::async, worker));
+    for (std::future<void>& done : workers) done.get();
   }
 
   int finish() {
