@@ -50,6 +50,12 @@ void for_each_access(Visit visit) {
         visit(fmt::format("{}_{}", kind.prefix, count.suffix), kind.counters, count.count);
 }
 
+void require_sums(const JsonReader& place, std::uint64_t warp, std::uint64_t thread, const Totals& totals) {
+  if (warp != totals.warp_instructions || thread != totals.thread_instructions)
+    place.fail(fmt::format("adds up to {} warp and {} thread instructions", warp, thread),
+               fmt::format("{} and {}", totals.warp_instructions, totals.thread_instructions));
+}
+
 // Every instruction is of one class: a mix that adds up to something else holds an unknown class or was cut.
 void read_mix(const JsonReader& mix, Totals& totals) {
   std::uint64_t warp = 0, thread = 0;
@@ -60,9 +66,7 @@ void read_mix(const JsonReader& mix, Totals& totals) {
     warp += totals.instruction_mix[c].warp;
     thread += totals.instruction_mix[c].thread;
   }
-  if (warp != totals.warp_instructions || thread != totals.thread_instructions)
-    mix.fail(fmt::format("adds up to {} warp and {} thread instructions", warp, thread),
-             fmt::format("{} and {}", totals.warp_instructions, totals.thread_instructions));
+  require_sums(mix, warp, thread, totals);
 }
 
 std::vector<std::uint64_t> histogram_from(const JsonReader& place, std::uint32_t warp_width) {
@@ -101,6 +105,12 @@ Totals totals_from(const JsonReader& place, std::uint32_t warp_width) {
   totals.warp_instructions = place.at("warp_instructions").whole_number();
   totals.thread_instructions = place.at("thread_instructions").whole_number();
   totals.lane_histogram = histogram_from(place.at("lane_histogram"), warp_width);
+  std::uint64_t warp = 0, thread = 0;
+  for (std::size_t lanes = 0; lanes <= warp_width; ++lanes) {
+    warp += totals.lane_histogram[lanes];
+    thread += lanes * totals.lane_histogram[lanes];
+  }
+  require_sums(place.at("lane_histogram"), warp, thread, totals);
   totals.branches = place.at("branches").whole_number();
   totals.divergent_branches = place.at("divergent_branches").whole_number();
   totals.sfu_instructions = place.at("sfu_instructions").whole_number();

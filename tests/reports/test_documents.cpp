@@ -83,6 +83,8 @@ TEST(Documents, ReadersNameThePlaceOfWhatIsWrong) {
               HasSubstr("lane_histogram: 6 entries; expected 5"));
   EXPECT_THAT(refusal([](Json& d) { d["launches"][0]["totals"]["instruction_mix"].erase("fp32"); }),
               HasSubstr("instruction_mix: adds up to 6 warp and 12 thread instructions; expected 16 and 52"));
+  EXPECT_THAT(refusal([](Json& d) { d["launches"][0]["totals"]["lane_histogram"][0] = 1; }),
+              HasSubstr("lane_histogram: adds up to 17 warp and 52 thread instructions; expected 16 and 52"));
   EXPECT_THAT(refusal([](Json& d) {
                 d["launches"][0]["local_size"] = {8, 1, 0};
               }),

@@ -15,7 +15,8 @@ TEST(TextReport, SaysWhatWasProfiledAndItsTotals) {
   EXPECT_THAT(text, HasSubstr("slit, branchy/cells/cell/fp32/default, 16,384 particles, step 4,000\n"));
   EXPECT_THAT(
       text,
-      HasSubstr("force          2       0.812     3.2            32     50.0 %            12          3.00\n"));
+      HasSubstr(
+          "force          2       0.812     3.2            32     50.0 %            12          3.00\n"));
   EXPECT_THAT(text, HasSubstr("all            3"));
 }
 
