@@ -1,5 +1,6 @@
-// The contact slots of a particle: what each touching partner's contact remembers, keyed by the partner's rank. The slots
-// of the evaluation before are read, those of this one are written, so that contacts that ended fall away by themselves.
+// The contact slots of a particle: what each touching partner's contact remembers, keyed by the partner's
+// rank. The slots of the evaluation before are read, those of this one are written, so that contacts that
+// ended fall away by themselves.
 #ifndef WARPGRAIN_CONTACT_HISTORY_H
 #define WARPGRAIN_CONTACT_HISTORY_H
 
@@ -13,9 +14,12 @@
 
 #if CONTACT_SLOTS > 0
 // Parameters of the kernels that evaluate forces, and how they are gathered into a ContactHistory.
-#define HISTORY_PARAMETERS                                                                                       \
-  , GLOBAL const uint2 *counts_before, GLOBAL const uint *partners_before, GLOBAL const real *displacements_before, \
-      GLOBAL uint *partners_after, GLOBAL real *displacements_after
+#define HISTORY_PARAMETERS                                                 \
+  , GLOBAL const uint2 *counts_before, GLOBAL const uint *partners_before, \
+      GLOBAL const real *displacements_before, GLOBAL uint *partners_after, GLOBAL real *displacements_after
+
+// Of the slots, not of the contacts: a particle that ran out of slots goes on until the host has looked.
+DEVICE_FUNCTION uint used_slots(uint2 counts) { return min(counts.x + counts.y, (uint)CONTACT_SLOTS); }
 
 typedef struct {
   GLOBAL const uint* partners_before;
@@ -28,15 +32,16 @@ typedef struct {
   uint rank;
 } ContactHistory;
 
-#define HISTORY_OF(particle, rank, n_after) \
-  history_of(particle, rank, n_after, status, counts_before, partners_before, displacements_before, partners_after, \
-             displacements_after)
+#define HISTORY_OF(particle, rank, n_after)                                                         \
+  history_of(particle, rank, n_after, status, counts_before, partners_before, displacements_before, \
+             partners_after, displacements_after)
 
-DEVICE_FUNCTION ContactHistory history_of(uint particle, uint rank, uint n_after, GLOBAL uint* status HISTORY_PARAMETERS) {
+DEVICE_FUNCTION ContactHistory history_of(uint particle, uint rank, uint n_after,
+                                          GLOBAL uint* status HISTORY_PARAMETERS) {
   ContactHistory history;
   history.partners_before = partners_before + particle * CONTACT_SLOTS;
   history.displacements_before = displacements_before + particle * CONTACT_SLOTS * 3;
-  history.n_before = counts_before[particle].x + counts_before[particle].y;
+  history.n_before = used_slots(counts_before[particle]);
   history.partners_after = partners_after + particle * CONTACT_SLOTS;
   history.displacements_after = displacements_after + particle * CONTACT_SLOTS * 3;
   history.n_after = n_after;

@@ -1,4 +1,4 @@
-// Step 5: where each cell begins and ends in the sorted map (SCCM, eq. 12).
+// Where each cell begins and ends in the sorted map (SCCM, eq. 12).
 
 #include "prelude.h"
 

@@ -1,5 +1,6 @@
-// Step 7: the forces from walls, which continue what step 6 began: its sums and its contact slots. A wall is a particle of
-// infinite radius and infinite mass at rest; a rectangle is touched at its nearest point, so edges and corners work.
+// The forces from walls, which continue what the forces between particles began: their sums and contact
+// slots. A wall is a particle of infinite radius and infinite mass at rest; a rectangle is touched at its
+// nearest point, so edges and corners work.
 
 #include "contact/contact_law.h"
 #include "particle_access.h"
@@ -7,23 +8,23 @@
 
 // From the particle to the nearest point of the wall.
 DEVICE_FUNCTION real3 separation_from_rectangle(CONSTANT const WallLayout* wall, real3 position) {
-  const real3 corner = make_real3(wall->point_x, wall->point_y, wall->point_z);
-  const real3 offset = position - corner;
-  const real u = dot(offset, make_real3(wall->fraction_u_x, wall->fraction_u_y, wall->fraction_u_z));
-  const real v = dot(offset, make_real3(wall->fraction_v_x, wall->fraction_v_y, wall->fraction_v_z));
-  const real3 nearest = clamp(u, REAL(0.0), REAL(1.0)) * make_real3(wall->edge_u_x, wall->edge_u_y, wall->edge_u_z) +
-                        clamp(v, REAL(0.0), REAL(1.0)) * make_real3(wall->edge_v_x, wall->edge_v_y, wall->edge_v_z);
+  const real3 offset = position - vector_of(wall->point);
+  const real u = clamp(dot(offset, vector_of(wall->fraction_u)), REAL(0.0), REAL(1.0));
+  const real v = clamp(dot(offset, vector_of(wall->fraction_v)), REAL(0.0), REAL(1.0));
+  const real3 nearest = u * vector_of(wall->edge_u) + v * vector_of(wall->edge_v);
   return nearest - offset;
 }
 
 KERNEL void force_from_walls(const StepParameters p, CONSTANT const WallLayout* walls,
                              GLOBAL const real4* position_radius, GLOBAL const real4* velocity_mass,
                              GLOBAL const real4* angular_velocity, GLOBAL const uint2* rank_material,
-                             CONSTANT const real4* contact_parameters, GLOBAL real4* force, GLOBAL real4* torque,
-                             GLOBAL uint2* contact_counts, GLOBAL uint* status HISTORY_PARAMETERS) {
+                             CONSTANT const real4* contact_parameters, GLOBAL real4* force,
+                             GLOBAL real4* torque, GLOBAL uint2* contact_counts,
+                             GLOBAL uint* status HISTORY_PARAMETERS) {
   const uint self = work_item();
   if (self >= p.n_particles) return;  // branch: beyond the last particle
-  const Particle particle = load_particle(self, position_radius, velocity_mass, angular_velocity, rank_material);
+  const Particle particle =
+      load_particle(self, position_radius, velocity_mass, angular_velocity, rank_material);
   const LawParameters law = law_parameters(p, contact_parameters);
   const uint n_particles_touched = contact_counts[self].x;
   ContactHistory history = HISTORY_OF(self, particle.rank, min(n_particles_touched, (uint)CONTACT_SLOTS));
@@ -34,7 +35,7 @@ KERNEL void force_from_walls(const StepParameters p, CONSTANT const WallLayout* 
 
   for (uint index = 0; index < p.n_walls; ++index) {  // branch: next wall
     CONSTANT const WallLayout* wall = &walls[index];
-    const real3 normal = make_real3(wall->normal_x, wall->normal_y, wall->normal_z);
+    const real3 normal = vector_of(wall->normal);
     Contact contact;
     if (wall->is_rectangle) {  // branch: rectangle
       const real3 separation = separation_from_rectangle(wall, particle.position);
@@ -42,9 +43,8 @@ KERNEL void force_from_walls(const StepParameters p, CONSTANT const WallLayout* 
       contact.contact_normal = distance > REAL(0.0) ? separation / distance : -normal;
       contact.overlap = particle.radius - distance;
     } else {
-      const real3 point = make_real3(wall->point_x, wall->point_y, wall->point_z);
       contact.contact_normal = -normal;
-      contact.overlap = particle.radius - dot(particle.position - point, normal);
+      contact.overlap = particle.radius - dot(particle.position - vector_of(wall->point), normal);
     }
     if (contact.overlap > REAL(0.0)) {  // branch: wall contact test
       contact.velocity = make_real3(REAL(0.0), REAL(0.0), REAL(0.0));

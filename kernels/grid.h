@@ -1,4 +1,5 @@
-// The collision grid: cells not smaller than the largest diameter, so that partners are at most one cell away.
+// The collision grid: cells not smaller than the largest diameter, so that partners are at most one cell
+// away.
 #ifndef WARPGRAIN_GRID_H
 #define WARPGRAIN_GRID_H
 
@@ -15,9 +16,9 @@ DEVICE_FUNCTION int cell_along(real offset, real inverse_cell_size, uint n) {
 // The cell of a place inside the domain.
 DEVICE_FUNCTION Cell cell_at(const StepParameters p, real4 place) {
   Cell cell;
-  cell.x = cell_along(place.x - p.lower_x, p.inverse_cell_size, p.cells_x);
-  cell.y = cell_along(place.y - p.lower_y, p.inverse_cell_size, p.cells_y);
-  cell.z = cell_along(place.z - p.lower_z, p.inverse_cell_size, p.cells_z);
+  cell.x = cell_along(place.x - p.lower.x, p.inverse_cell_size, p.cells_x);
+  cell.y = cell_along(place.y - p.lower.y, p.inverse_cell_size, p.cells_y);
+  cell.z = cell_along(place.z - p.lower.z, p.inverse_cell_size, p.cells_z);
   return cell;
 }
 

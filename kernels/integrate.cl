@@ -1,4 +1,5 @@
-// Step 1 of the paper's flow: semi-implicit Euler, v += dt a(x, v), then x += dt v; the same for the angular velocity.
+// Integration: semi-implicit Euler, v += dt a(x, v), then x += dt v; the same for the angular
+// velocity.
 
 #include "prelude.h"
 #include "status.h"

@@ -1,21 +1,21 @@
-// The data of a step on a device, declared once: valid OpenCL C (after prelude.h has named `real`) and C++ (templates over
-// `real`). No 3-vectors in arrays: they take 12 bytes in CUDA and 16 in OpenCL.
+// The data of a step on a device, declared once: valid OpenCL C (after prelude.h has named `real`) and C++
+// (templates over `real`). No 3-vectors in arrays: they take 12 bytes in CUDA and 16 in OpenCL.
 //
-// Arrays. n = n_particles; `particle` is the place of a particle in these arrays, its `rank` its place in the scene.
-//   position_radius   real4 [n]  x, y, z, radius
-//   velocity_mass     real4 [n]  vx, vy, vz, mass
-//   angular_velocity  real4 [n]  wx, wy, wz, unused
-//   rank_material     uint2 [n]  rank, index of the material
-//   force, torque     real4 [n]  x, y, z, unused; gravity included
-//   contact_counts    uint2 [n]  touching particles, touching walls; their sum is the number of used contact slots
-//   history_partners  uint  [n * CONTACT_SLOTS]      partner of a slot: a rank, or WALL_PARTNER_BIT | index of the wall
-//   history_displacements real [n * CONTACT_SLOTS * 3]  tangential displacement of a slot (eq. 7)
-//   cell_keys         ulong [n_keys]   correspondence map: cell in the high 32 bits, rank in the low ones (CM, sorted: SCM)
-//   particle_of_rank  uint  [n]        where the particle of a rank stood when the map was made
-//   cell_ranges       uint2 [n_cells]  first and one past the last entry of a cell in the sorted map (SCCM)
-//   contact_parameters real4 [n_materials * n_materials]  C_kn, C_kt, alpha, mu
-//   walls             WallLayout [n_walls]
-//   status            uint [STATUS_SIZE]
+// Arrays. `particle` is the place of a particle in them, its `rank` its place in the scene; n = n_particles.
+//   position_radius       real4 [n]    x, y, z, radius
+//   velocity_mass         real4 [n]    vx, vy, vz, mass
+//   angular_velocity      real4 [n]    wx, wy, wz, unused
+//   rank_material         uint2 [n]    rank, index of the material
+//   force, torque         real4 [n]    x, y, z, unused; gravity included
+//   contact_counts        uint2 [n]    touching particles, touching walls; the sum is what slots were needed
+//   history_partners      uint [n * CONTACT_SLOTS]       rank, or WALL_PARTNER_BIT | index of the wall
+//   history_displacements real [n * CONTACT_SLOTS * 3]   tangential displacement (eq. 7)
+//   cell_keys             ulong [n_keys]   CM (eq. 11), once sorted SCM: cell in the high 32 bits, rank below
+//   particle_of_rank      uint [n]         where the particle of a rank stood when the map was made
+//   cell_ranges           uint2 [n_cells]  SCCM (eq. 12): a cell's first entry in the SCM, one past its last
+//   contact_parameters    real4 [n_materials * n_materials]   C_kn, C_kt, alpha, mu
+//   walls                 WallLayout [n_walls]
+//   status                uint [STATUS_SIZE]
 #ifndef WARPGRAIN_LAYOUT_H
 #define WARPGRAIN_LAYOUT_H
 
@@ -24,21 +24,24 @@
 #define LAYOUT_STRUCT(name) \
   template <class real>     \
   struct name
+#define LAYOUT_TRIPLE Triple<real>
 #define LAYOUT_UINT std::uint32_t
 namespace warpgrain::layout {
 #else
-#define LAYOUT_STRUCT(name)  \
+#define LAYOUT_STRUCT(name) \
   typedef struct name name; \
   struct name
+#define LAYOUT_TRIPLE Triple
 #define LAYOUT_UINT uint
 #endif
+
+LAYOUT_STRUCT(Triple) { real x, y, z; };
 
 // What every kernel of a step may need, passed by value.
 LAYOUT_STRUCT(StepParameters) {
   real time_step;
-  real gravity_x, gravity_y, gravity_z;
-  real lower_x, lower_y, lower_z;  // of the domain, which is the grid's box
-  real upper_x, upper_y, upper_z;
+  LAYOUT_TRIPLE gravity;
+  LAYOUT_TRIPLE lower, upper;  // of the domain, which is the grid's box
   real inverse_cell_size;
   real k_spring, k_damping, k_shear;  // eq. (1)
   LAYOUT_UINT n_particles;
@@ -49,13 +52,11 @@ LAYOUT_STRUCT(StepParameters) {
 };
 
 LAYOUT_STRUCT(WallLayout) {
-  real point_x, point_y, point_z;     // a point of the plane, or the rectangle's corner
-  real normal_x, normal_y, normal_z;  // unit
-  // Rectangle: each edge divided by its squared length (so that a dot product gives a fraction), and the edge.
-  real fraction_u_x, fraction_u_y, fraction_u_z;
-  real fraction_v_x, fraction_v_y, fraction_v_z;
-  real edge_u_x, edge_u_y, edge_u_z;
-  real edge_v_x, edge_v_y, edge_v_z;
+  LAYOUT_TRIPLE point;   // a point of the plane, or the rectangle's corner
+  LAYOUT_TRIPLE normal;  // unit
+  // Of a rectangle: each edge divided by its squared length, so that a dot product gives a fraction of it ...
+  LAYOUT_TRIPLE fraction_u, fraction_v;
+  LAYOUT_TRIPLE edge_u, edge_v;  // ... and the edge itself
   LAYOUT_UINT is_rectangle;
   LAYOUT_UINT material;
 };
@@ -66,12 +67,13 @@ LAYOUT_STRUCT(WallLayout) {
 
 #define WALL_PARTNER_BIT 0x80000000u
 
-// Work-items of a work-group: of the sort, which orders blocks of twice as many keys in local memory, and of the rest.
+// Work-items of a work-group: of the sort, which orders blocks of twice as many keys in local memory, and of
+// the rest.
 #define SORT_WORK_GROUP 512
 #define PARTICLE_WORK_GROUP 128
 
-// status[]: the steps done; whether an earlier step failed, which freezes what follows; then, for each kind of error, the
-// smallest rank it befell (NO_PARTICLE: none).
+// status[]: the steps done; whether an earlier step failed, which freezes what follows; then, for each kind
+// of error, the smallest rank it befell (NO_PARTICLE: none).
 #define STATUS_STEPS 0
 #define STATUS_STOPPED 1
 #define STATUS_OUT_OF_DOMAIN 2

@@ -1,12 +1,14 @@
-// Step 2: the correspondence map CM (eq. 11), one key (cell, rank) a particle. Ties between particles of a cell are broken
-// by rank, so that the sorted map, and with it the order of every sum of forces, depends on nothing but the particles.
+// The correspondence map CM (eq. 11), one key (cell, rank) a particle. Ties between particles of a
+// cell are broken by rank, so that the sorted map, and with it the order of every sum of forces, depends on
+// nothing but the particles.
 
 #include "grid.h"
 #include "prelude.h"
 #include "status.h"
 
-KERNEL void map_particles(const StepParameters p, GLOBAL const real4* position_radius, GLOBAL const uint2* rank_material,
-                          GLOBAL ulong* cell_keys, GLOBAL uint* particle_of_rank, GLOBAL uint* status) {
+KERNEL void map_particles(const StepParameters p, GLOBAL const real4* position_radius,
+                          GLOBAL const uint2* rank_material, GLOBAL ulong* cell_keys,
+                          GLOBAL uint* particle_of_rank, GLOBAL uint* status) {
   const uint particle = work_item();
   if (particle >= p.n_keys) return;
   if (particle >= p.n_particles) {  // branch: padding
@@ -18,13 +20,14 @@ KERNEL void map_particles(const StepParameters p, GLOBAL const real4* position_r
 
   uint cell_of_particle = 0;
   // Written so that a NaN fails it.
-  const bool inside = place.x >= p.lower_x && place.x <= p.upper_x && place.y >= p.lower_y && place.y <= p.upper_y &&
-                      place.z >= p.lower_z && place.z <= p.upper_z;
+  const bool inside = place.x >= p.lower.x && place.x <= p.upper.x && place.y >= p.lower.y &&
+                      place.y <= p.upper.y && place.z >= p.lower.z && place.z <= p.upper.z;
   if (inside) {  // branch: inside the domain
     const Cell cell = cell_at(p, place);
     cell_of_particle = cell_number(p, cell.x, cell.y, cell.z);
   } else {
-    report_error(status, isfinite(place.x + place.y + place.z) ? STATUS_OUT_OF_DOMAIN : STATUS_NOT_FINITE, rank);
+    report_error(status, isfinite(place.x + place.y + place.z) ? STATUS_OUT_OF_DOMAIN : STATUS_NOT_FINITE,
+                 rank);
   }
   cell_keys[particle] = ((ulong)cell_of_particle << 32) | rank;
   particle_of_rank[rank] = particle;

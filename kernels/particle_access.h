@@ -5,8 +5,10 @@
 #include "contact/contact_law.h"
 #include "prelude.h"
 
-DEVICE_FUNCTION Particle load_particle(uint index, GLOBAL const real4* position_radius, GLOBAL const real4* velocity_mass,
-                                       GLOBAL const real4* angular_velocity, GLOBAL const uint2* rank_material) {
+DEVICE_FUNCTION Particle load_particle(uint index, GLOBAL const real4* position_radius,
+                                       GLOBAL const real4* velocity_mass,
+                                       GLOBAL const real4* angular_velocity,
+                                       GLOBAL const uint2* rank_material) {
   Particle particle;
   particle.position = xyz(position_radius[index]);
   particle.radius = position_radius[index].w;

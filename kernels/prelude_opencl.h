@@ -1,5 +1,5 @@
-// The words of the kernels in OpenCL C 1.2. Another platform gets a file like this one with the same words; the
-// kernels themselves name nothing of a dialect.
+// The words of the kernels in OpenCL C 1.2. Another platform gets a file like this one with the same words;
+// the kernels themselves name nothing of a dialect.
 #ifndef WARPGRAIN_PRELUDE_OPENCL_H
 #define WARPGRAIN_PRELUDE_OPENCL_H
 

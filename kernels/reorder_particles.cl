@@ -1,20 +1,22 @@
-// Step 4: moves all properties of the particles into the order of the sorted map, the contact history included.
+// Moves all properties of the particles into the order of the sorted map, the contact history
+// included.
 
 #include "contact_history.h"
 #include "prelude.h"
 
 #if CONTACT_SLOTS > 0
-#define HISTORY_MOVE_PARAMETERS                                                                                   \
-  , GLOBAL const uint2 *counts_in, GLOBAL const uint *partners_in, GLOBAL const real *displacements_in, GLOBAL uint2 *counts, \
-      GLOBAL uint *partners, GLOBAL real *displacements
+#define HISTORY_MOVE_PARAMETERS                                                                         \
+  , GLOBAL const uint2 *counts_in, GLOBAL const uint *partners_in, GLOBAL const real *displacements_in, \
+      GLOBAL uint2 *counts, GLOBAL uint *partners, GLOBAL real *displacements
 #else
 #define HISTORY_MOVE_PARAMETERS
 #endif
 
-KERNEL void reorder_particles(const StepParameters p, GLOBAL const ulong* cell_keys, GLOBAL const uint* particle_of_rank,
-                              GLOBAL const real4* position_radius_in, GLOBAL const real4* velocity_mass_in,
-                              GLOBAL const real4* angular_velocity_in, GLOBAL const uint2* rank_material_in,
-                              GLOBAL real4* position_radius, GLOBAL real4* velocity_mass, GLOBAL real4* angular_velocity,
+KERNEL void reorder_particles(const StepParameters p, GLOBAL const ulong* cell_keys,
+                              GLOBAL const uint* particle_of_rank, GLOBAL const real4* position_radius_in,
+                              GLOBAL const real4* velocity_mass_in, GLOBAL const real4* angular_velocity_in,
+                              GLOBAL const uint2* rank_material_in, GLOBAL real4* position_radius,
+                              GLOBAL real4* velocity_mass, GLOBAL real4* angular_velocity,
                               GLOBAL uint2* rank_material HISTORY_MOVE_PARAMETERS) {
   const uint place = work_item();
   if (place >= p.n_particles) return;  // branch: beyond the last particle
@@ -28,9 +30,10 @@ KERNEL void reorder_particles(const StepParameters p, GLOBAL const ulong* cell_k
 #if CONTACT_SLOTS > 0
   const uint2 count = counts_in[origin];
   counts[place] = count;
-  for (uint slot = 0; slot < count.x + count.y; ++slot) {  // branch: used contact slots
+  for (uint slot = 0; slot < used_slots(count); ++slot) {  // branch: used contact slots
     partners[place * CONTACT_SLOTS + slot] = partners_in[origin * CONTACT_SLOTS + slot];
-    vstore3(vload3(origin * CONTACT_SLOTS + slot, displacements_in), place * CONTACT_SLOTS + slot, displacements);
+    vstore3(vload3(origin * CONTACT_SLOTS + slot, displacements_in), place * CONTACT_SLOTS + slot,
+            displacements);
   }
 #endif
 }

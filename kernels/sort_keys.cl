@@ -1,5 +1,5 @@
-// Step 3: bitonic sort of the map, ascending. n_keys is a power of two and a multiple of the block (the map pads it with
-// largest keys). Strides that fit a block run in local memory; longer ones are a launch each.
+// Bitonic sort of the map, ascending. n_keys is a power of two and a multiple of the block (the map
+// pads it with largest keys). Strides that fit a block run in local memory; longer ones are a launch each.
 
 #include "prelude.h"
 
@@ -39,8 +39,10 @@ KERNEL WORK_GROUP_OF(SORT_WORK_GROUP) void sort_blocks(GLOBAL ulong* cell_keys) 
   cell_keys[base + item + SORT_WORK_GROUP] = block[item + SORT_WORK_GROUP];
 }
 
-// One stride of the merge to sequences of `size`, for strides of a block and more. One work-item a comparator.
-KERNEL WORK_GROUP_OF(SORT_WORK_GROUP) void merge_stride(GLOBAL ulong* cell_keys, const uint size, const uint stride) {
+// One stride of the merge to sequences of `size`, for strides of a block and more. One work-item a
+// comparator.
+KERNEL WORK_GROUP_OF(SORT_WORK_GROUP) void merge_stride(GLOBAL ulong* cell_keys, const uint size,
+                                                        const uint stride) {
   const uint first = first_of_pair(work_item(), stride);
   const bool ascending = (first & size) == 0;
   const ulong a = cell_keys[first];

@@ -6,7 +6,8 @@
 namespace warpgrain {
 namespace {
 
-std::unique_ptr<Simulation> create(const Scene& scene, const Variant& variant, const BackendOptions& options) {
+std::unique_ptr<Simulation> create(const Scene& scene, const Variant& variant,
+                                   const BackendOptions& options) {
   return std::make_unique<DeviceSimulation>(scene, variant, options,
                                             make_simt_device(profiler::TraceMode::none, options.threads));
 }

@@ -5,9 +5,9 @@
 
 namespace warpgrain {
 
-// Bounds: three times the largest deviation seen, 1.6e-5 and 3e-14 in 400 random beds as tests/variants/test_conformance.cpp
-// makes them; 8e-4 in float in the scene settled_bed of 2048 particles while it came to rest. In double rounded up, since
-// other devices contract and divide differently.
+// Bounds: three times the largest deviation seen, 1.6e-5 and 3e-14 in 400 random beds as
+// tests/variants/test_conformance.cpp makes them; 8e-4 in float in the scene settled_bed of 2048 particles
+// while it came to rest. In double rounded up, since other devices contract and divide differently.
 std::span<const ContactLaw> contact_laws() {
   static constexpr std::array<ContactLaw, 2> laws{{
       {"simple",
@@ -15,13 +15,15 @@ std::span<const ContactLaw> contact_laws() {
        "contact/simple.cl",
        ContactModel::simple,
        false,
-       {5e-5, 1e-12}, {3e-3, 1e-11}},
+       {5e-5, 1e-12},
+       {3e-3, 1e-11}},
       {"branchy",
        "eqs. (2)-(10), the practical model with its natural if-branches",
        "contact/branchy.cl",
        ContactModel::practical,
        true,
-       {5e-5, 1e-12}, {3e-3, 1e-11}},
+       {5e-5, 1e-12},
+       {3e-3, 1e-11}},
   }};
   return laws;
 }

@@ -24,7 +24,7 @@ struct ContactLaw {
   std::string_view file;                         // in kernels/
   ContactModel model = ContactModel::practical;  // what the law computes, whatever the scene's model says
   bool keeps_history = true;
-  ErrorBounds error_bounds;         // in beds whose overlaps are percents of a radius
+  ErrorBounds error_bounds;          // in beds whose overlaps are percents of a radius
   ErrorBounds error_bounds_at_rest;  // in settled beds: overlaps are thousandths, and forces nearly cancel
 };
 

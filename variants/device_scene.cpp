@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <fmt/format.h>
 #include <span>
 #include <unordered_map>
@@ -39,25 +38,22 @@ GridGeometry device_grid(const Scene& scene) {
 }
 
 template <class real>
+layout::Triple<real> triple(const Vector3d& v) {
+  return {static_cast<real>(v.x()), static_cast<real>(v.y()), static_cast<real>(v.z())};
+}
+
+template <class real>
 layout::StepParameters<real> step_parameters(const Scene& scene, const DeviceScene& device,
                                              const GridGeometry& grid) {
-  const auto r = [](double value) { return static_cast<real>(value); };
-  const Vector3d &lower = scene.domain.lower, &upper = scene.domain.upper, &gravity = scene.gravity;
   const SimpleParameters& simple = scene.model.simple;
-  return {.time_step = r(scene.time_step),
-          .gravity_x = r(gravity.x()),
-          .gravity_y = r(gravity.y()),
-          .gravity_z = r(gravity.z()),
-          .lower_x = r(lower.x()),
-          .lower_y = r(lower.y()),
-          .lower_z = r(lower.z()),
-          .upper_x = r(upper.x()),
-          .upper_y = r(upper.y()),
-          .upper_z = r(upper.z()),
-          .inverse_cell_size = r(1 / grid.cell_edge),
-          .k_spring = r(simple.k_spring),
-          .k_damping = r(simple.k_damping),
-          .k_shear = r(simple.k_shear),
+  return {.time_step = static_cast<real>(scene.time_step),
+          .gravity = triple<real>(scene.gravity),
+          .lower = triple<real>(scene.domain.lower),
+          .upper = triple<real>(scene.domain.upper),
+          .inverse_cell_size = static_cast<real>(1 / grid.cell_edge),
+          .k_spring = static_cast<real>(simple.k_spring),
+          .k_damping = static_cast<real>(simple.k_damping),
+          .k_shear = static_cast<real>(simple.k_shear),
           .n_particles = device.n_particles,
           .n_keys = device.n_keys,
           .n_materials = static_cast<std::uint32_t>(scene.contacts.n_materials()),
@@ -69,34 +65,20 @@ layout::StepParameters<real> step_parameters(const Scene& scene, const DeviceSce
 
 template <class real>
 std::vector<std::byte> wall_rows(const std::vector<Wall>& walls) {
-  const auto r = [](double value) { return static_cast<real>(value); };
   std::vector<layout::WallLayout<real>> rows;
   for (const Wall& wall : walls) {
-    const bool is_rectangle = wall.kind == WallKind::rectangle;
-    const Vector3d u = is_rectangle ? wall.edge_u : Vector3d::Zero();
-    const Vector3d v = is_rectangle ? wall.edge_v : Vector3d::Zero();
-    const Vector3d fraction_u = is_rectangle ? Vector3d(u / u.squaredNorm()) : u;
-    const Vector3d fraction_v = is_rectangle ? Vector3d(v / v.squaredNorm()) : v;
-    rows.push_back({r(wall.point.x()),
-                    r(wall.point.y()),
-                    r(wall.point.z()),
-                    r(wall.normal.x()),
-                    r(wall.normal.y()),
-                    r(wall.normal.z()),
-                    r(fraction_u.x()),
-                    r(fraction_u.y()),
-                    r(fraction_u.z()),
-                    r(fraction_v.x()),
-                    r(fraction_v.y()),
-                    r(fraction_v.z()),
-                    r(u.x()),
-                    r(u.y()),
-                    r(u.z()),
-                    r(v.x()),
-                    r(v.y()),
-                    r(v.z()),
-                    is_rectangle ? 1u : 0u,
-                    wall.material});
+    layout::WallLayout<real> row{};
+    row.point = triple<real>(wall.point);
+    row.normal = triple<real>(wall.normal);
+    row.material = wall.material;
+    if (wall.kind == WallKind::rectangle) {
+      row.is_rectangle = 1;
+      row.edge_u = triple<real>(wall.edge_u);
+      row.edge_v = triple<real>(wall.edge_v);
+      row.fraction_u = triple<real>(wall.edge_u / wall.edge_u.squaredNorm());
+      row.fraction_v = triple<real>(wall.edge_v / wall.edge_v.squaredNorm());
+    }
+    rows.push_back(row);
   }
   if (rows.empty()) rows.emplace_back();  // a buffer of no bytes cannot be made
   return bytes_of<layout::WallLayout<real>>(rows);
@@ -232,13 +214,16 @@ DeviceScene lay_out(const Scene& scene, const Variant& variant) {
   using enum DeviceArray;
   const ParticleState& particles = scene.particles;
   if (particles.size() == 0) throw_input_error("scene: particles", "none", "at least one");
-  if (particles.size() >= std::size_t{1} << 28) {
-    throw_input_error("scene: particles", fmt::format("{}", particles.size()), "fewer than 2^28 on a device");
-  }
   DeviceScene device;
   device.is_fp64 = variant.value(AxisId::precision) == "fp64";
   device.keeps_history = contact_law(variant).keeps_history;
   device.contact_slots = device.keeps_history ? contact_slots_for(particles) : 0;
+  // Kernels count in 32 bits; the largest array holds three numbers a slot.
+  const std::size_t most_particles = (std::size_t{1} << 31) / std::max(3 * device.contact_slots, 1u);
+  if (particles.size() > most_particles) {
+    throw_input_error("scene: particles", fmt::format("{}", particles.size()),
+                      fmt::format("at most {} on a device", most_particles));
+  }
   device.n_particles = static_cast<std::uint32_t>(particles.size());
   device.n_keys = std::max<std::uint32_t>(2 * SORT_WORK_GROUP, std::bit_ceil(device.n_particles));
   const GridGeometry grid = device_grid(scene);

@@ -39,7 +39,9 @@ class SimulatedDevice : public SimtDevice {
     }
   }
 
-  void allocate(DeviceArray array, std::size_t bytes) override { buffers_[array] = profiler::DeviceBuffer(bytes); }
+  void allocate(DeviceArray array, std::size_t bytes) override {
+    buffers_[array] = profiler::DeviceBuffer(bytes);
+  }
   void write(DeviceArray array, std::span<const std::byte> bytes) override {
     std::ranges::copy(bytes, buffers_[array].bytes().begin());
   }
@@ -100,7 +102,8 @@ class SimulatedDevice : public SimtDevice {
     const auto it = unit.kernels.find(launch.kernel);
     if (it != unit.kernels.end()) return it->second;
     const auto begin = std::chrono::steady_clock::now();
-    CompiledKernel kernel{Executable::compile(unit.compiled.ptx, launch.kernel, mode_, unit_name), 0, timings_.size()};
+    CompiledKernel kernel{Executable::compile(unit.compiled.ptx, launch.kernel, mode_, unit_name), 0,
+                          timings_.size()};
     kernel.compile_seconds = seconds_since(begin);
     timings_.push_back({launch.kernel, 0, 0});
     return unit.kernels.emplace(launch.kernel, std::move(kernel)).first->second;
@@ -110,7 +113,8 @@ class SimulatedDevice : public SimtDevice {
                std::span<const KernelArgument> arguments) {
     const auto begin = std::chrono::steady_clock::now();
     LaunchProfile launch;
-    launch.counters = profiler::profile_launch(*kernel.executable, shape, arguments, unit.text, *profile_options_);
+    launch.counters =
+        profiler::profile_launch(*kernel.executable, shape, arguments, unit.text, *profile_options_);
     launch.run_seconds = seconds_since(begin);
     launch.source = unit.text;
     launch.source_name = unit_name;
@@ -122,12 +126,14 @@ class SimulatedDevice : public SimtDevice {
   }
 
   // Runs the work-groups without counting anything. No kernel's work-groups wait for one another.
-  void run(const Executable& executable, const LaunchShape& shape, std::span<const KernelArgument> arguments) const {
+  void run(const Executable& executable, const LaunchShape& shape,
+           std::span<const KernelArgument> arguments) const {
     const std::uint64_t n_groups = shape.group_count()[0];
     std::atomic<std::uint64_t> next_group = 0;
     for_each_range(std::min<std::uint64_t>(threads_, n_groups), [&](std::size_t) {
       const auto runner = executable.runner(shape, arguments);
-      for (std::uint64_t group = next_group++; group < n_groups; group = next_group++) runner->run({group, 0, 0});
+      for (std::uint64_t group = next_group++; group < n_groups; group = next_group++)
+        runner->run({group, 0, 0});
     });
   }
 

@@ -12,6 +12,15 @@ namespace {
 
 using enum DeviceArray;
 
+// The kernels are told the options of the model by their numbers.
+static_assert(static_cast<int>(SlipHistory::clip) == SLIP_HISTORY_CLIP);
+static_assert(static_cast<int>(SlipHistory::paper) == SLIP_HISTORY_PAPER);
+static_assert(static_cast<int>(SlipHistory::lammps) == SLIP_HISTORY_LAMMPS);
+static_assert(static_cast<int>(SlipHistory::liggghts) == SLIP_HISTORY_LIGGGHTS);
+static_assert(static_cast<int>(NormalForce::signed_) == NORMAL_FORCE_SIGNED);
+static_assert(static_cast<int>(NormalForce::repulsive) == NORMAL_FORCE_REPULSIVE);
+static_assert(wall_partner_bit == WALL_PARTNER_BIT);
+
 LaunchArgument argument(DeviceArray array) { return array; }
 LaunchArgument argument(const std::vector<std::byte>& bytes) { return bytes; }
 LaunchArgument argument(std::uint32_t value) {

@@ -41,8 +41,9 @@ using PlanEntry = std::variant<KernelLaunch, ArraySwap>;
 
 struct StepPlan {
   std::vector<SourceUnit> units;
-  std::vector<PlanEntry> integrate;  // step 1 of the paper's flow
-  std::vector<PlanEntry> evaluate;   // the rest: the forces at the present positions
+  std::vector<PlanEntry> integrate;
+  // All that follows in the paper's flow: the forces at the present positions.
+  std::vector<PlanEntry> evaluate;
 };
 
 // The launches that sort cell_keys [n_keys], ascending: n_keys is a power of two and at least 2 *

@@ -10,9 +10,10 @@
 
 namespace warpgrain {
 
-// Profiles one time step (integrate ... forces from walls) of `variant`, beginning at the scene's particle state. One
-// entry a kernel launch, in the order of launching. Throws as Simulation::step does, and InputError when this build has no
-// simulator. Of `backend` the kernel folder counts, and the threads where `options` leaves them open.
+// Profiles one time step (integrate ... forces from walls) of `variant`, beginning at the scene's particle
+// state. One entry a kernel launch, in the order of launching. Throws as Simulation::step does, and
+// InputError when this build has no simulator. Of `backend` the kernel folder counts, and the threads where
+// `options` leaves them open.
 std::vector<profiler::LaunchProfile> profile_step(const Scene& scene, const Variant& variant,
                                                   const profiler::ProfileOptions& options,
                                                   const BackendOptions& backend = {});

@@ -16,15 +16,16 @@ DEVICE_FUNCTION void apply_contact(const LawParameters* law, const Particle* par
   const real effective_radius = REAL(1.0) / (REAL(1.0) / particle->radius + contact->inverse_radius);
   const real effective_mass = REAL(1.0) / (REAL(1.0) / particle->mass + contact->inverse_mass);
   const real contact_radius = sqrt(contact->overlap * effective_radius);
-  const real normal_stiffness = parameters.x * contact_radius;                                     // eq. (8)
-  const real tangential_stiffness = parameters.y * contact_radius;                                 // eq. (9)
-  const real damping_coefficient = parameters.z * sqrt(normal_stiffness * effective_mass);         // eq. (10)
+  const real normal_stiffness = parameters.x * contact_radius;                              // eq. (8)
+  const real tangential_stiffness = parameters.y * contact_radius;                          // eq. (9)
+  const real damping_coefficient = parameters.z * sqrt(normal_stiffness * effective_mass);  // eq. (10)
   const real friction_coefficient = parameters.w;
 
   const real3 relative_velocity = particle->velocity - contact->velocity;
   const real normal_velocity = dot(relative_velocity, n);
   const real3 surface_rotation = particle->radius * particle->angular_velocity + contact->surface_rotation;
-  const real3 tangential_velocity = relative_velocity - normal_velocity * n + cross(surface_rotation, n);  // eq. (6)
+  const real3 tangential_velocity =
+      relative_velocity - normal_velocity * n + cross(surface_rotation, n);  // eq. (6)
 
   const real3 old_displacement = remembered_displacement(history, contact->partner);
   real3 tangential_displacement =
@@ -46,7 +47,7 @@ DEVICE_FUNCTION void apply_contact(const LawParameters* law, const Particle* par
   const real3 tested_force = tangential_force;
 #endif
   const real tested_square = dot(tested_force, tested_force);
-  if (tested_square > friction_limit * friction_limit) {  // branch: slip
+  if (tested_square > friction_limit * friction_limit) {                       // branch: slip
     tangential_force = tested_force * (friction_limit / sqrt(tested_square));  // eq. (5)
 #if SLIP_HISTORY == SLIP_HISTORY_LAMMPS
     const real3 held_by_spring = tangential_force - damping_force;
@@ -61,6 +62,6 @@ DEVICE_FUNCTION void apply_contact(const LawParameters* law, const Particle* par
   }
   remember_displacement(history, contact->partner, tangential_displacement);
 
-  sum->force += tangential_force - normal_force * n;                    // eq. (2)
-  sum->torque += particle->radius * cross(n, tangential_force);         // eq. (3)
+  sum->force += tangential_force - normal_force * n;             // eq. (2)
+  sum->torque += particle->radius * cross(n, tangential_force);  // eq. (3)
 }

@@ -1,5 +1,6 @@
-// What a contact law is to the kernels around it. A law is one .cl file beside this one that defines apply_contact(); the
-// kernels that find contacts (search/*.cl, force_from_walls.cl) call it for every touching partner and know no law.
+// What a contact law is to the kernels around it. A law is one .cl file beside this one that defines
+// apply_contact(); the kernels that find contacts (search/*.cl, force_from_walls.cl) call it for every
+// touching partner and know no law.
 #ifndef WARPGRAIN_CONTACT_LAW_H
 #define WARPGRAIN_CONTACT_LAW_H
 
@@ -13,7 +14,8 @@ typedef struct {
   uint rank, material;
 } Particle;
 
-// A partner that touches it. A wall has infinite radius and mass and rests: both inverses and all motion are zero.
+// A partner that touches it. A wall has infinite radius and mass and rests: both inverses and all motion are
+// zero.
 typedef struct {
   real3 contact_normal;    // unit, from the particle to the partner
   real overlap;            // > 0
@@ -36,7 +38,8 @@ typedef struct {
   real3 force, torque;
 } ForceSum;
 
-DEVICE_FUNCTION LawParameters law_parameters(const StepParameters p, CONSTANT const real4* contact_parameters) {
+DEVICE_FUNCTION LawParameters law_parameters(const StepParameters p,
+                                             CONSTANT const real4* contact_parameters) {
   LawParameters law;
   law.contact_parameters = contact_parameters;
   law.n_materials = p.n_materials;
@@ -47,7 +50,8 @@ DEVICE_FUNCTION LawParameters law_parameters(const StepParameters p, CONSTANT co
   return law;
 }
 
-// Adds to `sum` the force and torque on the particle; a law with history reads and continues the contact's slot.
+// Adds to `sum` the force and torque on the particle; a law with history reads and continues the contact's
+// slot.
 DEVICE_FUNCTION void apply_contact(const LawParameters* law, const Particle* particle, const Contact* contact,
                                    ContactHistory* history, ForceSum* sum);
 

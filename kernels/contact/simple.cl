@@ -1,5 +1,5 @@
-// The simple model, eq. (1), of NVIDIA's "particles" sample: a linear spring along the normal, damping of the whole relative
-// velocity and shear of its tangential part, constant coefficients. No rotation, no memory.
+// The simple model, eq. (1), of NVIDIA's "particles" sample: a linear spring along the normal, damping of the
+// whole relative velocity and shear of its tangential part, constant coefficients. No rotation, no memory.
 
 #include "contact/contact_law.h"
 
@@ -9,5 +9,6 @@ DEVICE_FUNCTION void apply_contact(const LawParameters* law, const Particle* par
   const real3 n = contact->contact_normal;
   const real3 relative_velocity = particle->velocity - contact->velocity;
   const real3 tangential_velocity = relative_velocity - dot(relative_velocity, n) * n;
-  sum->force -= law->k_spring * contact->overlap * n + law->k_damping * relative_velocity + law->k_shear * tangential_velocity;
+  sum->force -= law->k_spring * contact->overlap * n + law->k_damping * relative_velocity +
+                law->k_shear * tangential_velocity;
 }

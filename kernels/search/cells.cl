@@ -1,4 +1,5 @@
-// Step 6: the forces between particles. Each work-item walks the 27 cells around its particle; the law is any of contact/.
+// The forces between particles. Each work-item walks the 27 cells around its particle; the law is any
+// of contact/.
 
 #include "contact/contact_law.h"
 #include "grid.h"
@@ -18,24 +19,27 @@ DEVICE_FUNCTION uint particle_at(uint place, GLOBAL const ulong* cell_keys) {
 #endif
 }
 
-KERNEL void force_between_particles(const StepParameters p, GLOBAL const ulong* cell_keys, GLOBAL const uint2* cell_ranges,
-                                    GLOBAL const real4* position_radius, GLOBAL const real4* velocity_mass,
-                                    GLOBAL const real4* angular_velocity, GLOBAL const uint2* rank_material,
-                                    CONSTANT const real4* contact_parameters, GLOBAL real4* force, GLOBAL real4* torque,
-                                    GLOBAL uint2* contact_counts, GLOBAL uint* status HISTORY_PARAMETERS) {
+KERNEL void force_between_particles(const StepParameters p, GLOBAL const ulong* cell_keys,
+                                    GLOBAL const uint2* cell_ranges, GLOBAL const real4* position_radius,
+                                    GLOBAL const real4* velocity_mass, GLOBAL const real4* angular_velocity,
+                                    GLOBAL const uint2* rank_material,
+                                    CONSTANT const real4* contact_parameters, GLOBAL real4* force,
+                                    GLOBAL real4* torque, GLOBAL uint2* contact_counts,
+                                    GLOBAL uint* status HISTORY_PARAMETERS) {
   const uint self = work_item();
   if (self >= p.n_particles) return;  // branch: beyond the last particle
-  const Particle particle = load_particle(self, position_radius, velocity_mass, angular_velocity, rank_material);
+  const Particle particle =
+      load_particle(self, position_radius, velocity_mass, angular_velocity, rank_material);
   const LawParameters law = law_parameters(p, contact_parameters);
   ContactHistory history = HISTORY_OF(self, particle.rank, 0);
   ForceSum sum;
-  sum.force = make_real3(p.gravity_x, p.gravity_y, p.gravity_z) * particle.mass;
+  sum.force = vector_of(p.gravity) * particle.mass;
   sum.torque = make_real3(REAL(0.0), REAL(0.0), REAL(0.0));
   uint n_contacts = 0;
 
   const Cell cell = cell_at(p, position_radius[self]);
-  for (int z = max(cell.z - 1, 0); z <= min(cell.z + 1, (int)p.cells_z - 1); ++z) {  // branch: next layer
-    for (int y = max(cell.y - 1, 0); y <= min(cell.y + 1, (int)p.cells_y - 1); ++y) {  // branch: next row
+  for (int z = max(cell.z - 1, 0); z <= min(cell.z + 1, (int)p.cells_z - 1); ++z) {      // branch: next layer
+    for (int y = max(cell.y - 1, 0); y <= min(cell.y + 1, (int)p.cells_y - 1); ++y) {    // branch: next row
       for (int x = max(cell.x - 1, 0); x <= min(cell.x + 1, (int)p.cells_x - 1); ++x) {  // branch: next cell
         const uint2 range = cell_ranges[cell_number(p, x, y, z)];
         for (uint place = range.x; place < range.y; ++place) {  // branch: next candidate
