@@ -6,10 +6,18 @@
 #include <limits>
 #include <vector>
 
+// One body, compiled for the vector units that there may be; the loader picks. Its picking runs before the
+// sanitizers' run time is up, so not under those.
+#if defined(__x86_64__) && !defined(__SANITIZE_THREAD__) && !defined(__SANITIZE_ADDRESS__)
+#define WARPGRAIN_VECTOR_CLONES [[gnu::target_clones("arch=skylake-avx512", "arch=haswell", "default")]]
+#else
+#define WARPGRAIN_VECTOR_CLONES
+#endif
+
 namespace warpgrain::profiler {
 namespace {
 
-constexpr std::uint64_t sectors_per_line = line_bytes / sector_bytes;
+constexpr std::uint32_t sectors_per_line = line_bytes / sector_bytes;
 
 // Distinct values among ids[0..n): all pairs are compared, one distance at a time, which compilers turn into
 // vector code that beats a hash table at these sizes. Entries of `padded` before ids match nothing.
@@ -63,36 +71,41 @@ RequestFootprint any_footprint(std::span<const std::uint64_t> addresses, std::ui
 
 }  // namespace
 
+WARPGRAIN_VECTOR_CLONES
 RequestFootprint request_footprint(std::span<const std::uint64_t> addresses, std::uint32_t bytes) {
-  std::array<std::uint64_t, max_request_lanes> sector;
-  std::uint64_t straddles = 0, descends = 0, lowest = std::numeric_limits<std::uint64_t>::max(), highest = 0;
-  std::uint64_t before = 0;
-  RequestFootprint ascending;
-  for (std::size_t i = 0; i < addresses.size(); ++i) {
-    const std::uint64_t s = addresses[i] / sector_bytes;
-    sector[i] = s;
-    straddles |= s ^ ((addresses[i] + bytes - 1) / sector_bytes);
-    descends |= static_cast<std::uint64_t>(s < before);
-    ascending.sectors += static_cast<std::uint32_t>(i == 0 || s != before);
-    ascending.lines +=
-        static_cast<std::uint32_t>(i == 0 || s / sectors_per_line != before / sectors_per_line);
-    lowest = std::min(lowest, s);
-    highest = std::max(highest, s);
-    before = s;
+  // sectors[i + 1] is that of addresses[i], so that each has one before it; the first repeats itself.
+  std::array<std::uint64_t, max_request_lanes + 1> sectors;
+  const std::size_t n = addresses.size();
+  sectors[0] = addresses[0] / sector_bytes;
+  std::uint64_t straddles = 0;
+  std::uint64_t lowest = sectors[0], highest = sectors[0];
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::uint64_t sector = addresses[i] / sector_bytes;
+    sectors[i + 1] = sector;
+    straddles |= sector ^ ((addresses[i] + bytes - 1) / sector_bytes);
+    lowest = std::min(lowest, sector);
+    highest = std::max(highest, sector);
   }
   // Lines, not sectors, start the range, so that a sector's distance tells its line.
   lowest -= lowest % sectors_per_line;
   if (straddles != 0 || highest - lowest >= std::numeric_limits<std::uint32_t>::max())
     return any_footprint(addresses, bytes);
+  std::array<std::uint32_t, max_request_lanes + 1> places;
+  for (std::size_t i = 0; i <= n; ++i) places[i] = static_cast<std::uint32_t>(sectors[i] - lowest);
+  std::uint32_t descends = 0;
+  RequestFootprint ascending{1, 1};
+  for (std::size_t i = 0; i < n; ++i) {
+    descends |= places[i + 1] < places[i] ? 1U : 0U;
+    ascending.sectors += places[i + 1] != places[i] ? 1U : 0U;
+    ascending.lines += places[i + 1] / sectors_per_line != places[i] / sectors_per_line ? 1U : 0U;
+  }
   if (descends == 0) return ascending;
   RequestFootprint result;
   DistinctCounter distinct;
-  for (std::size_t i = 0; i < addresses.size(); ++i)
-    distinct.append(static_cast<std::uint32_t>(sector[i] - lowest));
+  for (std::size_t i = 1; i <= n; ++i) distinct.append(places[i]);
   result.sectors = distinct.count();
   distinct.clear();
-  for (std::size_t i = 0; i < addresses.size(); ++i)
-    distinct.append(static_cast<std::uint32_t>((sector[i] - lowest) / sectors_per_line));
+  for (std::size_t i = 1; i <= n; ++i) distinct.append(places[i] / sectors_per_line);
   result.lines = distinct.count();
   return result;
 }

@@ -127,16 +127,17 @@ class CountingMerger : public WarpMerger {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
       lane_[n_lanes_] = lane;
       lane_blocks_[n_lanes_] = blocks_[lane];
-      lane_addresses_[n_lanes_] = addresses_[lane];
       ++n_lanes_;
     }
+    if (!with_addresses_) return;
+    for (std::uint32_t i = 0; i < n_lanes_; ++i) lane_addresses_[i] = addresses_[lane_[i]];
   }
 
   void store() {
-    for (std::uint32_t i = 0; i < n_lanes_; ++i) {
-      blocks_[lane_[i]] += n_read_;
-      if (with_addresses_) addresses_[lane_[i]] += n_addresses_read_;
-    }
+    for (std::uint32_t i = 0; i < n_lanes_; ++i) blocks_[lane_[i]] = lane_blocks_[i] + n_read_;
+    if (!with_addresses_) return;
+    for (std::uint32_t i = 0; i < n_lanes_; ++i)
+      addresses_[lane_[i]] = lane_addresses_[i] + n_addresses_read_;
   }
 
   // How many of the next four entries are the same for all lanes.
@@ -156,21 +157,30 @@ class CountingMerger : public WarpMerger {
   void part(const Group& group, std::uint32_t block) {
     ++counters_.divergent[block];
     ++n_partings_;
-    const std::uint32_t at = n_read_++;
-    store();
-    for (std::uint64_t left = group.lanes; left != 0;) {
-      // The lowest lane that is left, and all that go with it.
-      const std::uint32_t to = blocks_[static_cast<std::size_t>(std::countr_zero(left))][-1];
-      std::uint64_t lanes = 0;
-      for (std::uint32_t i = 0; i < n_lanes_; ++i)
-        lanes |= std::uint64_t{lane_blocks_[i][at] == to} << lane_[i];
+    const std::size_t at = n_read_++;
+    const std::uint32_t n_ways = steps_[block].n_successors;
+    std::uint64_t left = group.lanes;
+    while (left != 0) {
+      // The lowest lane that is left, and all that go with it: with two ways, after the first one all that
+      // are left.
+      const std::uint32_t to = blocks_[static_cast<std::size_t>(std::countr_zero(left))][at];
+      const std::uint64_t lanes = n_ways == 2 && left != group.lanes ? left : left & lanes_that_go(at, to);
       left &= ~lanes;
       if (to == steps_[block].first_successor)
         counters_.taken_lanes[block] += static_cast<std::uint64_t>(std::popcount(lanes));
       wait(
           {lanes, to, steps_[to].rank, partings_.part(group.node, block, group.lanes & ~lanes, n_partings_)});
     }
+    store();
     partings_.release(group.node);
+  }
+
+  // The lanes of the group whose entry at `at` is `to`.
+  std::uint64_t lanes_that_go(std::size_t at, std::uint32_t to) const {
+    std::uint64_t lanes = 0;
+    for (std::uint32_t i = 0; i < n_lanes_; ++i)
+      lanes |= std::uint64_t{lane_blocks_[i][at] == to} << lane_[i];
+    return lanes;
   }
 
   // Puts a group among those that wait, or into the one that waits where it is going to join. The lowest
