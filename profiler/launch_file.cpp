@@ -54,7 +54,7 @@ class Tokens {
       text.remove_prefix(begin);
       std::size_t end = std::min(text.find_first_of(" \t\r\v\f<", 1), text.size());
       if (text.front() == '<') {
-        end = text.rfind('>') + 1;
+        end = text.find('>') + 1;
         if (end == 0)
           throw_input_error(where(line_), fmt::format("'{}'", text), "a '>' that ends the argument");
       }
