@@ -32,8 +32,8 @@ ParticleArrays<Real> sorted_by_id(const ParticleState& state) {
 
 template <class Real>
 double skin_of(const ParticleArrays<Real>& particles) {
-  // Wide enough that a list lasts some tens of steps, narrow enough that few candidates do not touch: 0.4 of
-  // the smallest radius is the optimum of a flat minimum, measured with bench/reference_solver.cpp.
+  // Wide enough that a list lasts some tens of steps, narrow enough that few candidates do not touch; the
+  // share of the radius is that of LAMMPS inputs for such beds.
   if (particles.radius.empty()) return 0;
   return 0.4 * *std::min_element(particles.radius.begin(), particles.radius.end());
 }

@@ -54,6 +54,12 @@ struct SceneOverrides {
   std::optional<std::uint64_t> seed;
 };
 
+// Keys that a file may leave out: "name" (then the file's), "description", "gravity" (then zero), "model"
+// (then the practical one with its defaults), "walls", "domain" with "lower" and "upper" (then derived:
+// scene_domain.hpp), "model.simple" with "k_spring", "k_damping", "k_shear" (then derived: scene_json.hpp),
+// and of a fill "seed" (then 1) and "shear_rate" [1/s], which starts each particle with v_x = shear_rate (z -
+// middle of the box).
+
 // Reads a scene file, or the named scene of that name. Throws InputError naming file and field. A file larger
 // than `scene_size_limit` is refused.
 Scene load_scene(std::string_view file_or_name, const SceneOverrides& overrides = {});
