@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "profiler/directed_rounding.hpp"
+
 namespace warpgrain::profiler {
 namespace {
 
@@ -31,23 +33,19 @@ std::uint32_t atomic_decrement(std::uint32_t* place, std::uint32_t bound) {
   return old;
 }
 
-template <class Function>
-void* address_of(Function* function) {
-  return reinterpret_cast<void*>(function);
-}
-
 }  // namespace
 
-std::span<const HostFunction> host_functions() {
-  static const HostFunction functions[] = {
-      {"warpgrain_sin", address_of(host_sin)},
-      {"warpgrain_cos", address_of(host_cos)},
-      {"warpgrain_ex2", address_of(host_ex2)},
-      {"warpgrain_lg2", address_of(host_lg2)},
-      {"warpgrain_tanh", address_of(host_tanh)},
-      {"warpgrain_atomic_inc", address_of(atomic_increment)},
-      {"warpgrain_atomic_dec", address_of(atomic_decrement)},
-  };
+std::vector<HostFunction> host_functions() {
+  std::vector<HostFunction> functions = directed_functions();
+  functions.insert(functions.end(), {
+                                        host_function("warpgrain_sin", host_sin),
+                                        host_function("warpgrain_cos", host_cos),
+                                        host_function("warpgrain_ex2", host_ex2),
+                                        host_function("warpgrain_lg2", host_lg2),
+                                        host_function("warpgrain_tanh", host_tanh),
+                                        host_function("warpgrain_atomic_inc", atomic_increment),
+                                        host_function("warpgrain_atomic_dec", atomic_decrement),
+                                    });
   return functions;
 }
 

@@ -1,16 +1,22 @@
 #pragma once
 // C++ functions that translated code calls by name.
 
-#include <span>
-#include <string_view>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace warpgrain::profiler {
 
 struct HostFunction {
-  std::string_view name;
+  std::string name;
   void* address;
 };
 
-std::span<const HostFunction> host_functions();
+template <class Function>
+HostFunction host_function(std::string name, Function* function) {
+  return {std::move(name), reinterpret_cast<void*>(function)};
+}
+
+std::vector<HostFunction> host_functions();
 
 }  // namespace warpgrain::profiler

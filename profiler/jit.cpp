@@ -75,8 +75,7 @@ Jit::Jit() : state_(std::make_unique<State>()) {
   llvm::orc::LLJIT& jit = *state_->jit;
   llvm::orc::SymbolMap symbols;
   for (const HostFunction& function : host_functions())
-    symbols[jit.mangleAndIntern(llvm::StringRef(function.name.data(), function.name.size()))] =
-        llvm::JITEvaluatedSymbol::fromPointer(function.address);
+    symbols[jit.mangleAndIntern(function.name)] = llvm::JITEvaluatedSymbol::fromPointer(function.address);
   check(jit.getMainJITDylib().define(llvm::orc::absoluteSymbols(std::move(symbols))));
   // memset and the like, and fma where the host has no instruction for it.
   jit.getMainJITDylib().addGenerator(value_or_fail(

@@ -21,7 +21,7 @@ struct LaneContext {
   std::uint64_t* addresses = nullptr;
   const std::uint64_t* addresses_limit = nullptr;
   const std::byte* parameters = nullptr;  // as the kernel's signature lays them out
-  std::byte* shared = nullptr;            // the work-group's
+  std::byte* shared = nullptr;            // the work-group's, in the lowest 4 GiB
   // Waits at the barrier that stands in `line` of the PTX until every lane of the work-group does.
   void (*wait_at_barrier)(LaneContext*, std::uint32_t line) = nullptr;
   void* fiber = nullptr;  // what the lane runs on, for wait_at_barrier

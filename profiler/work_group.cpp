@@ -1,5 +1,6 @@
 #include "profiler/work_group.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <fmt/format.h>
 
@@ -11,7 +12,6 @@ namespace {
 
 // Frames of translated code and of the C library's functions below it.
 constexpr std::size_t base_stack_bytes = std::size_t{64} << 10;
-constexpr std::size_t shared_alignment = 256;
 
 std::string name_of(const std::array<std::uint64_t, 3>& group) {
   return fmt::format("work-group ({}, {}, {})", group[0], group[1], group[2]);
@@ -36,10 +36,7 @@ GroupRunner::GroupRunner(const TranslatedKernel& kernel, const LaunchShape& shap
 
 void GroupRunner::lay_out_parameters(std::span<const KernelArgument> arguments) {
   const std::vector<std::size_t> offsets = shared_offsets(kernel_, arguments);
-  shared_bytes_ = offsets.back();
-  shared_storage_ = std::make_unique<std::byte[]>(shared_bytes_ + shared_alignment);
-  const auto address = reinterpret_cast<std::uintptr_t>(shared_storage_.get());
-  shared_ = shared_storage_.get() + (shared_alignment - address % shared_alignment) % shared_alignment;
+  shared_.emplace(offsets.back());
 
   parameters_.resize(kernel_.parameter_bytes);
   for (std::size_t i = 0; i < arguments.size(); ++i) {
@@ -50,7 +47,7 @@ void GroupRunner::lay_out_parameters(std::span<const KernelArgument> arguments) 
       continue;
     }
     const std::byte* pointer = argument.memory.empty() ? nullptr : argument.memory.data();
-    if (argument.kind == KernelArgument::Kind::local) pointer = shared_ + offsets[i];
+    if (argument.kind == KernelArgument::Kind::local) pointer = shared_->bytes().data() + offsets[i];
     std::memcpy(place, &pointer, sizeof pointer);
   }
 }
@@ -68,7 +65,7 @@ void GroupRunner::prepare_lane(std::size_t index, const std::array<std::uint64_t
     traces_[index].addresses = lane.addresses;
   }
   lane.parameters = parameters_.data();
-  lane.shared = shared_;
+  lane.shared = shared_->bytes().data();
   lane.status = LaneStatus::done;
   const auto linear = static_cast<std::uint32_t>(index);
   const auto& local = shape_.local_size;
@@ -87,7 +84,7 @@ void GroupRunner::prepare_lane(std::size_t index, const std::array<std::uint64_t
 
 std::span<const LaneTrace> GroupRunner::run(const std::array<std::uint64_t, 3>& group) {
   release_long_traces();
-  std::memset(shared_, 0, shared_bytes_);
+  std::ranges::fill(shared_->bytes(), std::byte{0});
   for (std::size_t i = 0; i < lanes_.size(); ++i) prepare_lane(i, group);
   if (fibers_) {
     run_with_barriers(group);

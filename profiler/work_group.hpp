@@ -2,12 +2,12 @@
 // Runs the lanes of a work-group one after another, in turns where the kernel has barriers.
 
 #include <cstddef>
-#include <memory>
 #include <optional>
 #include <vector>
 
 #include "profiler/fiber_pool.hpp"
 #include "profiler/lane_buffers.hpp"
+#include "profiler/shared_memory.hpp"
 #include "profiler/translated_kernel.hpp"
 
 namespace warpgrain::profiler {
@@ -36,9 +36,7 @@ class GroupRunner final : public WorkGroupRunner {
   const TranslatedKernel& kernel_;
   LaunchShape shape_;
   std::vector<std::byte> parameters_;
-  std::unique_ptr<std::byte[]> shared_storage_;
-  std::byte* shared_ = nullptr;
-  std::size_t shared_bytes_ = 0;
+  std::optional<SharedMemory> shared_;
   std::vector<LaneContext> lanes_;
   std::vector<LaneTrace> traces_;
   std::optional<LaneBuffers> blocks_;

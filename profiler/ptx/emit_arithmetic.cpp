@@ -1,4 +1,4 @@
-// Integer and float arithmetic. Floats round to nearest even; fma is fused, and nothing else ever is.
+// Integer and float arithmetic. fma is fused, and nothing else ever is.
 
 #include <string>
 
@@ -30,12 +30,13 @@ void emit_with_carry(Emitter& e, bool subtract, bool carry_in, bool carry_out) {
 
 void emit_sum(Emitter& e, bool subtract) {
   if (e.modifiers().take("cc")) return emit_with_carry(e, subtract, false, true);
-  FloatOperation modes(e);
+  FloatOperation modes(e, FloatOperation::Rounding::any);
   const ScalarType type = e.take_type();
   if (type.is_float()) {
     Value* a = modes.input(1, type);
     Value* b = modes.input(2, type);
-    return modes.output(subtract ? e.ir.CreateFSub(a, b) : e.ir.CreateFAdd(a, b), type);
+    if (subtract) b = e.ir.CreateFNeg(b);
+    return modes.output(modes.rounded("add", {a, b}, e.ir.CreateFAdd(a, b)), type);
   }
   Value* a = e.read(1, type);
   Value* b = e.read(2, type);
@@ -70,9 +71,13 @@ std::string_view take_product_part(Emitter& e) { return e.modifiers().take_one_o
 
 void emit_mul(Emitter& e) {
   const std::string_view part = take_product_part(e);
-  FloatOperation modes(e);
+  FloatOperation modes(e, FloatOperation::Rounding::any);
   const ScalarType type = e.take_type();
-  if (type.is_float()) return modes.output(e.ir.CreateFMul(modes.input(1, type), modes.input(2, type)), type);
+  if (type.is_float()) {
+    Value* a = modes.input(1, type);
+    Value* b = modes.input(2, type);
+    return modes.output(modes.rounded("mul", {a, b}, e.ir.CreateFMul(a, b)), type);
+  }
   if (part.empty() || modes.saturates()) e.refuse(".lo, .hi or .wide");
   ScalarType result;
   Value* value = product(e, part, type, result);
@@ -82,11 +87,13 @@ void emit_mul(Emitter& e) {
 void emit_fma_of(Emitter& e, FloatOperation& modes, ScalarType type) {
   Value* a = modes.input(1, type);
   Value* b = modes.input(2, type);
-  modes.output(e.call_intrinsic(llvm::Intrinsic::fma, e.type(type), {a, b, modes.input(3, type)}), type);
+  Value* c = modes.input(3, type);
+  modes.output(
+      modes.rounded("fma", {a, b, c}, e.call_intrinsic(llvm::Intrinsic::fma, e.type(type), {a, b, c})), type);
 }
 
 void emit_fma(Emitter& e) {
-  FloatOperation modes(e);
+  FloatOperation modes(e, FloatOperation::Rounding::any);
   const ScalarType type = e.take_type();
   if (!type.is_float()) e.refuse("a float type");
   emit_fma_of(e, modes, type);
@@ -110,7 +117,7 @@ void emit_madc(Emitter& e) { emit_mad_with_carry(e, true, e.modifiers().take("cc
 void emit_mad(Emitter& e) {
   if (e.modifiers().take("cc")) return emit_mad_with_carry(e, false, true);
   const std::string_view part = take_product_part(e);
-  FloatOperation modes(e);
+  FloatOperation modes(e, FloatOperation::Rounding::any);
   const ScalarType type = e.take_type();
   if (type.is_float()) return emit_fma_of(e, modes, type);
   if (part.empty() || modes.saturates()) e.refuse(".lo, .hi or .wide");
@@ -165,11 +172,15 @@ void emit_integer_division(Emitter& e, ScalarType type, bool remainder) {
 }
 
 void emit_div(Emitter& e) {
-  FloatOperation modes(e);
+  FloatOperation modes(e, FloatOperation::Rounding::any);
   // .approx and .full allow an error of 2 ulp; evaluated exactly, as PoCL evaluates them.
   e.modifiers().take_one_of({"approx", "full"});
   const ScalarType type = e.take_type();
-  if (type.is_float()) return modes.output(e.ir.CreateFDiv(modes.input(1, type), modes.input(2, type)), type);
+  if (type.is_float()) {
+    Value* a = modes.input(1, type);
+    Value* b = modes.input(2, type);
+    return modes.output(modes.rounded("div", {a, b}, e.ir.CreateFDiv(a, b)), type);
+  }
   emit_integer_division(e, type, false);
 }
 

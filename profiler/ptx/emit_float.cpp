@@ -12,17 +12,20 @@ using llvm::Value;
 void take_accuracy(Emitter& e) { e.modifiers().take("approx"); }
 
 void emit_sqrt(Emitter& e) {
-  FloatOperation modes(e);
+  FloatOperation modes(e, FloatOperation::Rounding::any);
   take_accuracy(e);
   const ScalarType type = e.take_type();
-  modes.output(e.call_intrinsic(llvm::Intrinsic::sqrt, e.type(type), {modes.input(1, type)}), type);
+  Value* x = modes.input(1, type);
+  modes.output(modes.rounded("sqrt", {x}, e.call_intrinsic(llvm::Intrinsic::sqrt, e.type(type), {x})), type);
 }
 
 void emit_rcp(Emitter& e) {
-  FloatOperation modes(e);
+  FloatOperation modes(e, FloatOperation::Rounding::any);
   take_accuracy(e);
   const ScalarType type = e.take_type();
-  modes.output(e.ir.CreateFDiv(llvm::ConstantFP::get(e.type(type), 1.0), modes.input(1, type)), type);
+  Value* x = modes.input(1, type);
+  Value* one = llvm::ConstantFP::get(e.type(type), 1.0);
+  modes.output(modes.rounded("div", {one, x}, e.ir.CreateFDiv(one, x)), type);
 }
 
 void emit_rsqrt(Emitter& e) {

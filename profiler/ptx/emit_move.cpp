@@ -1,5 +1,7 @@
 // Moves and conversions.
 
+#include <fmt/format.h>
+
 #include "profiler/ptx/instructions.hpp"
 
 namespace warpgrain::profiler::ptx {
@@ -92,15 +94,32 @@ Value* clamp_integer(Emitter& e, Value* value, ScalarType from, ScalarType to) {
   return e.ir.CreateTrunc(value, e.int_type(to.bits));
 }
 
+// To a float that cannot hold every value, towards zero, down or up.
+Value* directed_to_float(Emitter& e, Value* value, ScalarType from, ScalarType to,
+                         std::string_view rounding) {
+  const bool from_float = from.is_float();
+  const std::string_view source = from_float ? "f64" : from.is_signed() ? "s64" : "u64";
+  if (to.bits == 16 || (from_float && (to.bits != 32 || from.bits != 64))) e.refuse("f32 or f64");
+  if (!from_float)
+    value = from.is_signed() ? e.ir.CreateSExt(value, e.ir.getInt64Ty())
+                             : e.ir.CreateZExt(value, e.ir.getInt64Ty());
+  return e.call_host(fmt::format("warpgrain_f{}_{}_{}", to.bits, rounding, source), e.type(to), {value});
+}
+
 void emit_cvt(Emitter& e) {
-  const std::string_view rounding = e.modifiers().take_one_of({"rn", "rni", "rzi", "rmi", "rpi"});
+  const std::string_view rounding =
+      e.modifiers().take_one_of({"rn", "rni", "rzi", "rmi", "rpi", "rz", "rm", "rp"});
+  const bool is_directed = rounding == "rz" || rounding == "rm" || rounding == "rp";
   const bool flushes = e.modifiers().take("ftz");
   const bool saturates = e.modifiers().take("sat");
   const ScalarType to = e.take_type();
   const ScalarType from = e.take_type();
   Value* value = e.read(1, from);
   if (flushes && from == ScalarType{ScalarType::Kind::floating, 32}) value = flush_subnormal(e, value);
-  if (from.is_float() && to.is_float()) {
+  if (is_directed) {
+    if (!to.is_float() || saturates || flushes) e.refuse("a float, without .sat or .ftz");
+    value = directed_to_float(e, value, from, to, rounding);
+  } else if (from.is_float() && to.is_float()) {
     value = float_to_float(e, value, from, to, rounding);
     if (flushes && to.bits == 32) value = flush_subnormal(e, value);
     if (saturates) value = saturate(e, value);

@@ -1,5 +1,7 @@
 #include "profiler/ptx/float_operation.hpp"
 
+#include <fmt/format.h>
+
 #include "profiler/ptx/instructions.hpp"
 
 namespace warpgrain::profiler::ptx {
@@ -20,11 +22,21 @@ llvm::Value* saturate(Emitter& e, llvm::Value* value) {
   return e.ir.CreateSelect(e.ir.CreateFCmpOLT(above_zero, one), above_zero, one);
 }
 
-FloatOperation::FloatOperation(Emitter& emitter)
+FloatOperation::FloatOperation(Emitter& emitter, Rounding rounding)
     : emitter_(emitter),
       flushes_(emitter.modifiers().take("ftz")),
       saturates_(emitter.modifiers().take("sat")) {
-  emitter.modifiers().take("rn");
+  if (!emitter.modifiers().take("rn") && rounding == Rounding::any)
+    rounding_ = emitter.modifiers().take_one_of({"rz", "rm", "rp"});
+}
+
+llvm::Value* FloatOperation::rounded(std::string_view operation, llvm::ArrayRef<llvm::Value*> inputs,
+                                     llvm::Value* nearest) {
+  if (rounding_.empty()) return nearest;
+  llvm::Type* const type = nearest->getType();
+  return emitter_.call_host(
+      fmt::format("warpgrain_{}_{}_{}", operation, rounding_, type->isFloatTy() ? "f32" : "f64"), type,
+      inputs);
 }
 
 llvm::Value* FloatOperation::input(std::size_t operand, ScalarType type) {

@@ -34,6 +34,10 @@ MemoryLayout lay_out(const Module& module, const Function& kernel, std::string_v
   for (const Variable& parameter : kernel.parameters)
     layout.parameter_offsets[parameter.name] = place(parameter, layout.parameter_bytes, where);
   const auto add_shared = [&](const Variable& variable) {
+    if (variable.space == StateSpace::shared && variable.external)
+      throw_input_error(fmt::format("{}:{}", where, variable.line),
+                        fmt::format("'{}' of the launch's choice of size", variable.name),
+                        "shared memory of a size given here, or a parameter that points to it");
     if (variable.space == StateSpace::shared)
       layout.shared_offsets[variable.name] = place(variable, layout.shared_bytes, where);
   };

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cfenv>
 
 #include "tests/profiler/instruction_bench.hpp"
 
@@ -166,6 +167,44 @@ TEST(EmitArithmetic, Floats) {
   bench.expect("mul.ftz.f32 %f3, %f0, %f1;", "%f3",
                on<float>([flush](float a, float b) { return flush(flush(a) * flush(b)); }));
   bench.run(float_inputs());
+}
+
+// f in a rounding mode; the volatile keeps it there.
+template <class T, class F>
+Reference rounded(int mode, F f) {
+  return on<T>([mode, f](T a, T b, T c) {
+    volatile T x = a, y = b, z = c;
+    std::fesetround(mode);
+    volatile T result = f(x, y, z);
+    std::fesetround(FE_TONEAREST);
+    return T{result};
+  });
+}
+
+TEST(EmitArithmetic, DirectedRoundings) {
+  InstructionBench floats, doubles;
+  for (const auto& [name, mode] : {std::pair{"rz", FE_TOWARDZERO}, {"rm", FE_DOWNWARD}, {"rp", FE_UPWARD}}) {
+    const auto add = [&](const char* code, auto f) {
+      floats.expect(fmt::format("{}.f32 %f3, {};", fmt::format(fmt::runtime(code), name), "%f0, %f1"), "%f3",
+                    rounded<float>(mode, f));
+      doubles.expect(fmt::format("{}.f64 %g3, {};", fmt::format(fmt::runtime(code), name), "%g0, %g1"), "%g3",
+                     rounded<double>(mode, f));
+    };
+    add("add.{}", [](auto& a, auto& b, auto&) { return a + b; });
+    add("sub.{}", [](auto& a, auto& b, auto&) { return a - b; });
+    add("mul.{}", [](auto& a, auto& b, auto&) { return a * b; });
+    add("div.{}", [](auto& a, auto& b, auto&) { return a / b; });
+    floats.expect(fmt::format("fma.{}.f32 %f3, %f0, %f1, %f2;", name), "%f3",
+                  rounded<float>(mode, [](auto& a, auto& b, auto& c) { return std::fma(a, b, c); }));
+    floats.expect(fmt::format("sqrt.{}.f32 %f3, %f0;", name), "%f3",
+                  rounded<float>(mode, [](auto& a, auto&, auto&) { return std::sqrt(a); }));
+    doubles.expect(fmt::format("rcp.{}.f64 %g3, %g0;", name), "%g3",
+                   rounded<double>(mode, [](auto& a, auto&, auto&) { return 1.0 / a; }));
+    doubles.expect(fmt::format("cvt.{}.f32.f64 %f3, %g0; cvt.f64.f32 %g3, %f3;", name), "%g3",
+                   rounded<double>(mode, [](auto& a, auto&, auto&) { return static_cast<float>(a); }));
+  }
+  floats.run(float_inputs());
+  doubles.run(double_inputs());
 }
 
 TEST(EmitArithmetic, Doubles) {

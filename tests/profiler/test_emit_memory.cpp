@@ -157,7 +157,7 @@ TEST(EmitMemory, RefusesWhatItDoesNotCarry) {
   EXPECT_THAT(compile("shfl.sync.bfly.b32 %r0, %r1, 1, 31, -1;"),
               HasSubstr("k.ptx:6: instruction 'shfl.sync.bfly.b32 %r0, %r1, 1, 31, -1;' is not carried; "
                         "expected no exchange"));
-  EXPECT_THAT(compile("add.rz.f32 %f0, %f1, %f2;"), HasSubstr("without '.rz'"));
+  EXPECT_THAT(compile("min.rz.f32 %f0, %f1, %f2;"), HasSubstr("without '.rz'"));
   EXPECT_THAT(compile("frobnicate.u32 %r0;"), HasSubstr("'frobnicate.u32 %r0;' is not carried"));
   EXPECT_THAT(compile("add.f16 %h0, %h1, %h2;"), HasSubstr("f32 or f64"));
   EXPECT_THAT(compile("mov.u32 %r0, %clock;"), HasSubstr("'%clock' in 'mov.u32 %r0, %clock;'"));
@@ -166,6 +166,17 @@ TEST(EmitMemory, RefusesWhatItDoesNotCarry) {
   EXPECT_THAT(compile("bar.sync 0, 64;"), HasSubstr("whole work-group"));
   EXPECT_THAT(compile("atom.global.add.f16 %h0, [%d0], %h1;"), HasSubstr("is not carried"));
   EXPECT_THAT(compile("ld.global.v4.u32 {%r0, %r1}, [%d0];"), HasSubstr("a vector of that width"));
+}
+
+TEST(EmitMemory, RefusesSharedMemoryWithoutASize) {
+  EXPECT_THAT(
+      refusal([] {
+        Executable::compile(
+            ptx_module(
+                ".extern .shared .align 4 .b8 dynamic[];\n.entry k() { st.shared.u32 [dynamic], 1; ret; }"),
+            "k", TraceMode::none, "k.ptx");
+      }),
+      HasSubstr("k.ptx:4: 'dynamic' of the launch's choice of size"));
 }
 
 }  // namespace

@@ -64,6 +64,18 @@ TEST(EmitMove, ConvertsIntegersToFloats) {
   bench.expect("cvt.rn.f32.s16 %f3, %h0;", "%f3", on<i16>([](i16 a) { return static_cast<float>(a); }));
   bench.expect("cvt.rn.f32.u8 %f3, %h0;", "%f3", on<u8>([](u8 a) { return static_cast<float>(a); }));
   bench.expect("cvt.rn.f64.s64 %g3, %d0;", "%g3", on<i64>([](i64 a) { return static_cast<double>(a); }));
+  bench.expect("cvt.rz.f32.s32 %f3, %r0;", "%f3", on<i32>([](i32 a) {
+                 const float nearest = static_cast<float>(a);
+                 return std::fabs(static_cast<double>(nearest)) > std::fabs(static_cast<double>(a))
+                            ? std::nextafter(nearest, 0.0f)
+                            : nearest;
+               }));
+  bench.expect("cvt.rp.f64.u64 %g3, %d0;", "%g3", on<u64>([](u64 a) {
+                 const double nearest = static_cast<double>(a);
+                 return static_cast<long double>(nearest) < static_cast<long double>(a)
+                            ? std::nextafter(nearest, 1e300)
+                            : nearest;
+               }));
   bench.expect("cvt.rn.f64.u32 %g3, %r0;", "%g3", on<u32>([](u32 a) { return static_cast<double>(a); }));
   bench.run(integer_inputs());
 }

@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "profiler/executable.hpp"
+#include "profiler/subprocess.hpp"
 #include "tests/profiler/run_kernel.hpp"
 
 namespace warpgrain::profiler {
@@ -85,6 +87,28 @@ TEST(Executable, TracesAreWalksOfTheGraph) {
 TEST(Executable, UnknownKernelListsTheNames) {
   EXPECT_THAT(refusal([] { compile_kernel(half_half, "half"); }),
               HasSubstr("unknown kernel 'half'; valid: half_half"));
+}
+
+// CUDA's PTX as nvcc writes it: a called function, parameters that do not say that they are pointers, a
+// struct.
+TEST(Executable, RunsWhatNvccCompiled) {
+  struct Limits {
+    std::uint32_t most;
+    float scale;
+  };
+  const std::string ptx = read_text(WARPGRAIN_TEST_DATA_DIR "/collatz.ptx");
+  const auto executable = Executable::compile(ptx, "collatz", TraceMode::blocks_and_addresses, "collatz.ptx");
+  std::vector<std::uint32_t> in(256), out(257), steps(256);
+  for (std::uint32_t i = 0; i < 256; ++i) {
+    in[i] = i * 37 + 1;
+    for (std::uint32_t x = in[i]; x != 1 && steps[i] < 90; ++steps[i]) x = x & 1 ? 3 * x + 1 : x / 2;
+  }
+  const std::vector<KernelArgument> arguments{buffer_of(out), buffer_of(in), scalar_of(Limits{90, 5.0f})};
+  run_launch(*executable, line_of(256, 64), arguments);
+  const std::uint32_t bonus[] = {1, 10, 100, 1000};
+  for (std::uint32_t i = 0; i < 256; ++i) EXPECT_EQ(out[i], steps[i ^ 63] * 4 + bonus[i % 4] + 5) << i;
+  EXPECT_EQ(out[256], *std::max_element(steps.begin(), steps.end()));
+  EXPECT_EQ(executable->graph().files[0], "collatz.cu");
 }
 
 }  // namespace
