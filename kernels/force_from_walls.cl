@@ -39,23 +39,25 @@ KERNEL void force_from_walls(const StepParameters p, CONSTANT const WallLayout* 
     Contact contact;
     if (wall->is_rectangle) {  // branch: rectangle
       const real3 separation = separation_from_rectangle(wall, particle.position);
-      const real distance = sqrt(dot(separation, separation));
+      const real square = dot(separation, separation);
+      if (square >= particle.radius * particle.radius) continue;  // branch: rectangle contact test
+      const real distance = sqrt(square);
       contact.contact_normal = distance > REAL(0.0) ? separation / distance : -normal;
       contact.overlap = particle.radius - distance;
     } else {
+      const real distance = dot(particle.position - vector_of(wall->point), normal);
+      if (distance >= particle.radius) continue;  // branch: plane contact test
       contact.contact_normal = -normal;
-      contact.overlap = particle.radius - dot(particle.position - vector_of(wall->point), normal);
+      contact.overlap = particle.radius - distance;
     }
-    if (contact.overlap > REAL(0.0)) {  // branch: wall contact test
-      contact.velocity = make_real3(REAL(0.0), REAL(0.0), REAL(0.0));
-      contact.surface_rotation = make_real3(REAL(0.0), REAL(0.0), REAL(0.0));
-      contact.inverse_radius = REAL(0.0);
-      contact.inverse_mass = REAL(0.0);
-      contact.partner = WALL_PARTNER_BIT | index;
-      contact.material = wall->material;
-      apply_contact(&law, &particle, &contact, &history, &sum);
-      ++n_contacts;
-    }
+    contact.velocity = make_real3(REAL(0.0), REAL(0.0), REAL(0.0));
+    contact.surface_rotation = make_real3(REAL(0.0), REAL(0.0), REAL(0.0));
+    contact.inverse_radius = REAL(0.0);
+    contact.inverse_mass = REAL(0.0);
+    contact.partner = WALL_PARTNER_BIT | index;
+    contact.material = wall->material;
+    apply_contact(&law, &particle, &contact, &history, &sum);
+    ++n_contacts;
   }
 
   // The evaluation is complete here: nothing that is not a number goes further unnoticed.

@@ -15,10 +15,8 @@ DEVICE_FUNCTION void exchange_in_block(LOCAL ulong* block, uint base, uint size,
   const bool ascending = ((base + first) & size) == 0;
   const ulong a = block[first];
   const ulong b = block[first + stride];
-  if ((a > b) == ascending) {  // branch: exchange
-    block[first] = b;
-    block[first + stride] = a;
-  }
+  block[first] = ascending ? min(a, b) : max(a, b);
+  block[first + stride] = ascending ? max(a, b) : min(a, b);
 }
 
 // Sorts each block: the sequences of size 2 to SORT_BLOCK, whose direction alternates with their place.
