@@ -20,25 +20,25 @@ constexpr std::array<std::string_view, 10> names{"char", "uchar", "short", "usho
 template <typename Function>
 auto with_type(ElementType type, Function&& function) {
   switch (type) {
-    case ElementType::char_:
+    case ElementType::i8:
       return function(std::int8_t{});
-    case ElementType::uchar:
+    case ElementType::u8:
       return function(std::uint8_t{});
-    case ElementType::short_:
+    case ElementType::i16:
       return function(std::int16_t{});
-    case ElementType::ushort:
+    case ElementType::u16:
       return function(std::uint16_t{});
-    case ElementType::int_:
+    case ElementType::i32:
       return function(std::int32_t{});
-    case ElementType::uint:
+    case ElementType::u32:
       return function(std::uint32_t{});
-    case ElementType::long_:
+    case ElementType::i64:
       return function(std::int64_t{});
-    case ElementType::ulong:
+    case ElementType::u64:
       return function(std::uint64_t{});
-    case ElementType::float_:
+    case ElementType::f32:
       return function(float{});
-    case ElementType::double_:
+    case ElementType::f64:
       break;
   }
   return function(double{});
@@ -96,7 +96,7 @@ std::optional<ElementType> element_type_of_parameter(std::string_view declared) 
   for (const std::string_view qualifier : {"const ", "volatile ", "restrict "})
     if (declared.starts_with(qualifier)) return element_type_of_parameter(declared.substr(qualifier.size()));
   const std::string_view base = declared.substr(0, declared.find_first_of(" *"));
-  if (base == "void" && declared.ends_with('*')) return ElementType::uchar;
+  if (base == "void" && declared.ends_with('*')) return ElementType::u8;
   return element_type_of(base);
 }
 

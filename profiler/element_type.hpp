@@ -10,18 +10,8 @@
 
 namespace warpgrain::profiler {
 
-enum class ElementType : std::uint8_t {
-  char_,
-  uchar,
-  short_,
-  ushort,
-  int_,
-  uint,
-  long_,
-  ulong,
-  float_,
-  double_
-};
+// char, uchar, short, ... double, in the order of element_names().
+enum class ElementType : std::uint8_t { i8, u8, i16, u16, i32, u32, i64, u64, f32, f64 };
 
 std::size_t element_size(ElementType type);
 std::string_view element_name(ElementType type);

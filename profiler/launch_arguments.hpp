@@ -18,7 +18,7 @@ struct BoundArgument {
   KernelArgument argument;
   DeviceBuffer buffer;  // behind `argument` when that is a buffer
   std::string name;
-  ElementType type = ElementType::uchar;  // of its values
+  ElementType type = ElementType::u8;  // of its values
 };
 
 // One for each parameter, filled with their data. `declared` may be shorter than `parameters`. A parameter of

@@ -26,7 +26,7 @@ class LaunchArguments : public testing::Test {
     file_.arguments.resize(1);
     file_.arguments[0].line = 5;
     file_.arguments[0].size = 16;
-    given().type = ElementType::int_;
+    given().type = ElementType::i32;
   }
   LaunchFileArgument& given() { return file_.arguments[0]; }
   void give_values(const std::vector<std::string>& values) {
@@ -95,7 +95,7 @@ TEST_F(LaunchArguments, FileBytes) {
 
 TEST_F(LaunchArguments, TheTypeComesFromTheFileElseFromTheSource) {
   give_values({"1", "2"});
-  given().type = ElementType::double_;
+  given().type = ElementType::f64;
   EXPECT_THAT(values<double>(bind().buffer.bytes()), ElementsAre(1, 2));
   given().type.reset();
   declared_[0].type = "long*";

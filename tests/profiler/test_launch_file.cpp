@@ -59,11 +59,11 @@ k.cl  my_kernel
   const auto& a = file.arguments;
   EXPECT_EQ(a[0].size, 16U);
   EXPECT_EQ(a[0].line, 5);
-  EXPECT_EQ(a[0].type, ElementType::float_);
+  EXPECT_EQ(a[0].type, ElementType::f32);
   EXPECT_EQ(a[0].range, "1:0.5:2.5");
   EXPECT_TRUE(a[0].dump && a[0].read_only);
   EXPECT_TRUE(a[1].hex && !a[1].dump);
-  EXPECT_EQ(a[1].type, ElementType::uint);
+  EXPECT_EQ(a[1].type, ElementType::u32);
   ASSERT_EQ(a[1].values.size(), 3U);
   EXPECT_EQ(a[1].values[2].text, "20");
   EXPECT_EQ(a[1].values[2].line, 8);
