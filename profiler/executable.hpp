@@ -41,7 +41,8 @@ class Executable {
   virtual ~Executable() = default;
   virtual const KernelGraph& graph() const = 0;
   virtual std::span<const KernelParameter> parameters() const = 0;
-  // Checks arguments against parameters (InputError names the argument). The arguments outlive the runner.
+  // Checks the shape, and the arguments against the parameters (InputError names the argument). Executable
+  // and arguments outlive the runner; each thread takes a runner of its own.
   virtual std::unique_ptr<WorkGroupRunner> runner(const LaunchShape& shape,
                                                   std::span<const KernelArgument> arguments) const = 0;
 };

@@ -14,9 +14,9 @@ enum class InstructionClass : std::uint8_t {
   fp32, fp64, fp16, integer, special_function, conversion, predicate, move,
   parameter_load, constant_load, global_load, global_store, shared_load, shared_store, local_load, local_store,
   generic_load, generic_store, atomic, branch, barrier, warp_level, fence, exit, other,
-  count_
+  count
 };
-inline constexpr std::size_t n_instruction_classes = static_cast<std::size_t>(InstructionClass::count_);
+inline constexpr std::size_t n_instruction_classes = static_cast<std::size_t>(InstructionClass::count);
 std::string_view instruction_class_name(InstructionClass c);
 
 struct SourceLocation {

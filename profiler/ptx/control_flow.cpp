@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "profiler/ptx/place.hpp"
 #include "profiler/trace.hpp"
 
 namespace warpgrain::profiler::ptx {
@@ -12,8 +13,7 @@ namespace {
 bool ends_lane(const Statement& s) { return s.opcode == "ret" || s.opcode == "exit" || s.opcode == "trap"; }
 bool is_branch(const Statement& s) { return s.opcode == "bra" || s.opcode == "brx"; }
 
-// [statements + 1]: the label that a branch names there, empty where no block begins, "" + boundary by
-// `begins`.
+// [statements + 1]: whether a block begins at the statement, and the label by which a branch names it.
 struct Boundaries {
   std::vector<bool> begins;
   std::vector<std::string> label;
@@ -35,13 +35,6 @@ Boundaries find_boundaries(const Function& function, std::string_view where) {
     }
   }
   return boundaries;
-}
-
-std::uint32_t block_at(const std::vector<Block>& blocks, std::size_t statement) {
-  const auto found = std::upper_bound(blocks.begin(), blocks.end(), statement,
-                                      [](std::size_t s, const Block& b) { return s < b.first; });
-  // Of several blocks that begin there, all but the last are empty ends of predicated exits.
-  return static_cast<std::uint32_t>(found - blocks.begin() - 1);
 }
 
 void connect(const Function& function, std::vector<Block>& blocks, std::string_view where) {
@@ -95,11 +88,18 @@ void mark_loop_headers(std::vector<Block>& blocks) {
 
 }  // namespace
 
+std::uint32_t block_at(std::span<const Block> blocks, std::size_t statement) {
+  const auto found = std::upper_bound(blocks.begin(), blocks.end(), statement,
+                                      [](std::size_t s, const Block& b) { return s < b.first; });
+  // Of several blocks that begin there, all but the last are empty ends of predicated exits.
+  return static_cast<std::uint32_t>(found - blocks.begin() - 1);
+}
+
 bool is_terminator(const Statement& statement) { return is_branch(statement) || ends_lane(statement); }
 
 std::vector<std::string> branch_targets(const Function& function, const Statement& statement,
                                         std::string_view where) {
-  const auto at = [&] { return fmt::format("{}:{}", where, statement.line); };
+  const auto at = [&] { return place(where, statement.line); };
   std::vector<std::string> targets;
   if (statement.opcode == "bra") {
     if (statement.operands.size() != 1)
@@ -147,7 +147,7 @@ std::vector<Block> cut_blocks(const Function& function, std::string_view where) 
   // A label at the very end: the lane ends there.
   if (n > 0 && !boundaries.label[n].empty()) blocks.push_back({boundaries.label[n], n, n, {}, true, false});
   if (blocks.size() >= trace_end)
-    throw_input_error(fmt::format("{}:{}", where, function.line),
+    throw_input_error(place(where, function.line),
                       fmt::format("'{}' has {} basic blocks", function.name, blocks.size()),
                       fmt::format("fewer than {}", trace_end));
   connect(function, blocks, where);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "profiler/ptx/place.hpp"
 
 namespace warpgrain::profiler::ptx {
 
@@ -27,8 +28,8 @@ Emitter::Emitter(llvm::IRBuilder<>& builder, llvm::Value* lane_context, const Mo
   for (const Variable& variable : kernel.variables) {
     if (variable.space == StateSpace::shared) continue;
     if (variable.space != StateSpace::local && variable.space != StateSpace::parameter)
-      throw_input_error(fmt::format("{}:{}", where, variable.line),
-                        fmt::format("variable '{}' in a body", variable.name), ".local, .shared or .param");
+      throw_input_error(place(where, variable.line), fmt::format("variable '{}' in a body", variable.name),
+                        ".local, .shared or .param");
     llvm::AllocaInst* storage = ir.CreateAlloca(llvm::ArrayType::get(ir.getInt8Ty(), variable.bytes));
     storage->setAlignment(llvm::Align(std::max(variable.alignment, 1u)));
     memory_.emplace(variable.name, storage);
@@ -58,7 +59,7 @@ ScalarType Emitter::take_type() {
 }
 
 void Emitter::refuse(std::string_view expected) const {
-  throw_input_error(fmt::format("{}:{}", where_, statement_->line),
+  throw_input_error(place(where_, module_, *statement_),
                     fmt::format("instruction '{}' is not carried", statement_->text), expected);
 }
 
@@ -109,7 +110,7 @@ llvm::Value* Emitter::read_name(const Operand& operand, ScalarType as) {
     llvm::Value* address = ir.CreatePtrToInt(symbol, ir.getInt64Ty());
     return convert_bits(ir.CreateAdd(address, ir.getInt64(operand.value)), bits_type(64), as);
   }
-  throw_input_error(fmt::format("{}:{}", where_, statement_->line),
+  throw_input_error(place(where_, module_, *statement_),
                     fmt::format("'{}' in '{}'", operand.name, statement_->text),
                     "a declared register, a known special register or a symbol of the module");
 }

@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "profiler/ptx/emitter.hpp"
+#include "profiler/ptx/place.hpp"
 
 namespace warpgrain::profiler::ptx {
 
@@ -58,8 +59,7 @@ llvm::Value* Emitter::symbol_pointer(const std::string& name) {
 llvm::GlobalVariable* Emitter::module_variable(const Variable& variable) {
   if (const auto found = globals_.find(variable.name); found != globals_.end()) return found->second;
   if (variable.external || (variable.space != StateSpace::global && variable.space != StateSpace::constant))
-    throw_input_error(fmt::format("{}:{}", where_, variable.line),
-                      fmt::format("variable '{}'", variable.name),
+    throw_input_error(place(where_, variable.line), fmt::format("variable '{}'", variable.name),
                       "one that this module defines in .global, .const or .shared");
   auto* global = new llvm::GlobalVariable(*entry_->getModule(), storage_type(variable),
                                           variable.space == StateSpace::constant,
@@ -98,7 +98,7 @@ llvm::Constant* Emitter::initial_value(const Variable& variable) {
   for (const Relocation& relocation : variable.relocations) {
     const Variable* target = module_.find_variable(relocation.symbol);
     if (!target)
-      throw_input_error(fmt::format("{}:{}", where_, variable.line),
+      throw_input_error(place(where_, variable.line),
                         fmt::format("the address of '{}' in '{}'", relocation.symbol, variable.name),
                         "a variable of this module");
     parts.push_back(bytes(done, relocation.offset));

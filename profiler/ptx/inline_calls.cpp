@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "profiler/ptx/place.hpp"
 
 namespace warpgrain::profiler::ptx {
 namespace {
@@ -36,8 +37,8 @@ class Inliner {
   void copy(const Function& function, const Names& bound, const std::string& suffix,
             const std::string& return_label) {
     if (std::find(active_.begin(), active_.end(), function.name) != active_.end())
-      throw_input_error(at(function.line), fmt::format("function '{}' calls itself", function.name),
-                        "no recursion");
+      throw_input_error(place(where_, function.line),
+                        fmt::format("function '{}' calls itself", function.name), "no recursion");
     active_.push_back(function.name);
     Names names = bound;
     for (const auto& [name, type] : function.registers) {
@@ -78,7 +79,7 @@ class Inliner {
       statement.operands = {target};
     }
     if (flat_.statements.size() >= max_statements)
-      throw_input_error(at(original.line), "calls put in place",
+      throw_input_error(place(where_, module_, original), "calls put in place",
                         fmt::format("at most {} instructions", max_statements));
     flat_.statements.push_back(std::move(statement));
   }
@@ -87,10 +88,11 @@ class Inliner {
     const Call call = read_call(statement);
     const Function* callee = module_.find_function(call.callee);
     if (!callee || !callee->has_body)
-      throw_input_error(at(statement.line), fmt::format("call of '{}', which has no body here", call.callee),
+      throw_input_error(place(where_, module_, statement),
+                        fmt::format("call of '{}', which has no body here", call.callee),
                         "functions of this module");
     if (statement.guard)
-      throw_input_error(at(statement.line), fmt::format("'{}'", statement.text),
+      throw_input_error(place(where_, module_, statement), fmt::format("'{}'", statement.text),
                         "a call without a predicate");
     Names bound;
     bind(callee->results, call.results, statement, bound);
@@ -111,7 +113,7 @@ class Inliner {
     const auto end = statement.operands.end();
     if (operand != end && operand->kind == Operand::Kind::list) call.results = (operand++)->elements;
     if (operand == end || operand->kind != Operand::Kind::name || operand->name.starts_with('%'))
-      throw_input_error(at(statement.line), fmt::format("'{}'", statement.text),
+      throw_input_error(place(where_, module_, statement), fmt::format("'{}'", statement.text),
                         "a call of a function by name");
     call.callee = (operand++)->name;
     if (operand != end && operand->kind == Operand::Kind::list) call.arguments = (operand++)->elements;
@@ -128,7 +130,7 @@ class Inliner {
       bound[formal[i].name] = actual[i].name;
     }
     if (!fits)
-      throw_input_error(at(statement.line), fmt::format("'{}'", statement.text),
+      throw_input_error(place(where_, module_, statement), fmt::format("'{}'", statement.text),
                         "a .param variable for each parameter of the function");
   }
 
@@ -140,8 +142,6 @@ class Inliner {
     rename(operand.name, names);
     for (Operand& element : operand.elements) rename(element, names);
   }
-
-  std::string at(std::uint32_t line) const { return fmt::format("{}:{}", where_, line); }
 
   static constexpr std::size_t max_statements = std::size_t{1} << 20;
   const Module& module_;

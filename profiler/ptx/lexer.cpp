@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "profiler/ptx/place.hpp"
 
 namespace warpgrain::profiler::ptx {
 namespace {
@@ -36,7 +37,7 @@ class Lexer {
   }
 
   [[noreturn]] void refuse(std::string_view what, std::string_view expected) const {
-    throw_input_error(fmt::format("{}:{}", where_, line_), what, expected);
+    throw_input_error(place(where_, line_), what, expected);
   }
 
   void skip_blank() {

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/error.hpp"
+#include "profiler/ptx/place.hpp"
 
 namespace warpgrain::profiler::ptx {
 namespace {
@@ -11,11 +12,11 @@ namespace {
 // More than any device has; keeps 32-bit offsets from wrapping.
 constexpr std::uint64_t max_bytes = std::uint64_t{1} << 24;
 
-std::uint32_t place(const Variable& variable, std::uint32_t& end, std::string_view where) {
+std::uint32_t append(const Variable& variable, std::uint32_t& end, std::string_view where) {
   const std::uint64_t offset =
       (std::uint64_t{end} + variable.alignment - 1) / variable.alignment * variable.alignment;
   if (offset + variable.bytes > max_bytes)
-    throw_input_error(fmt::format("{}:{}", where, variable.line),
+    throw_input_error(place(where, variable.line),
                       fmt::format("'{}' of {} bytes", variable.name, variable.bytes),
                       fmt::format("at most {} bytes together", max_bytes));
   end = static_cast<std::uint32_t>(offset + variable.bytes);
@@ -32,14 +33,14 @@ void collect_names(const Operand& operand, std::set<std::string_view>& names) {
 MemoryLayout lay_out(const Module& module, const Function& kernel, std::string_view where) {
   MemoryLayout layout;
   for (const Variable& parameter : kernel.parameters)
-    layout.parameter_offsets[parameter.name] = place(parameter, layout.parameter_bytes, where);
+    layout.parameter_offsets[parameter.name] = append(parameter, layout.parameter_bytes, where);
   const auto add_shared = [&](const Variable& variable) {
     if (variable.space == StateSpace::shared && variable.external)
-      throw_input_error(fmt::format("{}:{}", where, variable.line),
+      throw_input_error(place(where, variable.line),
                         fmt::format("'{}' of the launch's choice of size", variable.name),
                         "shared memory of a size given here, or a parameter that points to it");
     if (variable.space == StateSpace::shared)
-      layout.shared_offsets[variable.name] = place(variable, layout.shared_bytes, where);
+      layout.shared_offsets[variable.name] = append(variable, layout.shared_bytes, where);
   };
   for (const Variable& variable : kernel.variables) add_shared(variable);
   std::set<std::string_view> named;

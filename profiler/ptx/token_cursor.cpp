@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "profiler/ptx/place.hpp"
 
 namespace warpgrain::profiler::ptx {
 
@@ -79,7 +80,7 @@ void TokenCursor::refuse(std::string_view what, std::string_view expected) const
 }
 
 void TokenCursor::refuse_at(std::uint32_t line, std::string_view what, std::string_view expected) const {
-  throw_input_error(fmt::format("{}:{}", where_, line), what, expected);
+  throw_input_error(place(where_, line), what, expected);
 }
 
 void TokenCursor::refuse_next(std::string_view expected) const {

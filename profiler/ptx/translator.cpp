@@ -89,13 +89,11 @@ class Translator {
   // Whether every block of the loop has one way on. Such a loop records nothing, so that no trace would show
   // it.
   bool never_left(std::uint32_t header) const {
-    std::uint32_t block = header;
-    for (std::size_t steps = 0; steps <= blocks_.size(); ++steps) {
-      if (blocks_[block].successors.size() != 1) return false;
+    for (std::uint32_t block = header; blocks_[block].successors.size() == 1;) {
       block = blocks_[block].successors[0];
       if (block == header) return true;
     }
-    return true;
+    return false;
   }
 
   void emit_statement(const Statement& statement) {
@@ -135,8 +133,8 @@ class Translator {
          {&arithmetic_instructions(), &float_instructions(), &bit_instructions(), &compare_instructions(),
           &move_instructions(), &memory_instructions()})
       if (const auto found = table->find(statement.opcode); found != table->end()) return found->second;
-    static constexpr std::array<std::string_view, 7> warp_level{"shfl",  "vote",  "match",   "activemask",
-                                                                "redux", "elect", "bar.warp"};
+    static constexpr std::array<std::string_view, 6> warp_level{"shfl",       "vote",  "match",
+                                                                "activemask", "redux", "elect"};
     if (std::find(warp_level.begin(), warp_level.end(), statement.opcode) != warp_level.end())
       emitter_.refuse("no exchange between the lanes of a warp: lanes run one after another");
     emitter_.refuse();
@@ -198,16 +196,12 @@ class Translator {
     llvm::Value* index = emitter_.read(0, bits_type(32));
     // An index beyond the table is undefined in PTX; it takes the last entry.
     llvm::SwitchInst* table =
-        ir_.CreateSwitch(index, starts_[block_of(targets.back())], static_cast<unsigned>(targets.size()));
-    for (std::uint32_t i = 0; i < targets.size(); ++i)
-      table->addCase(ir_.getInt32(i), starts_[block_of(targets[i])]);
+        ir_.CreateSwitch(index, start_of(targets.back()), static_cast<unsigned>(targets.size()));
+    for (std::uint32_t i = 0; i < targets.size(); ++i) table->addCase(ir_.getInt32(i), start_of(targets[i]));
   }
 
-  std::size_t block_of(const std::string& label) const {
-    const std::size_t statement = kernel_.labels.at(label);
-    for (std::size_t b = blocks_.size(); b-- > 0;)
-      if (blocks_[b].first == statement) return b;
-    return 0;
+  llvm::BasicBlock* start_of(const std::string& label) const {
+    return starts_[block_at(blocks_, kernel_.labels.at(label))];
   }
 
   void end_lane(const Statement& statement) {

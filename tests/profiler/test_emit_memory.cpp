@@ -155,7 +155,7 @@ TEST(EmitMemory, RefusesWhatItDoesNotCarry) {
   };
   EXPECT_EQ(compile("add.rn.f32 %f0, %f1, %f2;"), "");
   EXPECT_THAT(compile("shfl.sync.bfly.b32 %r0, %r1, 1, 31, -1;"),
-              HasSubstr("k.ptx:6: instruction 'shfl.sync.bfly.b32 %r0, %r1, 1, 31, -1;' is not carried; "
+              HasSubstr("k.ptx, PTX line 6: instruction 'shfl.sync.bfly.b32 %r0, %r1, 1, 31, -1;' is not carried; "
                         "expected no exchange"));
   EXPECT_THAT(compile("min.rz.f32 %f0, %f1, %f2;"), HasSubstr("without '.rz'"));
   EXPECT_THAT(compile("frobnicate.u32 %r0;"), HasSubstr("'frobnicate.u32 %r0;' is not carried"));
@@ -176,7 +176,7 @@ TEST(EmitMemory, RefusesSharedMemoryWithoutASize) {
                 ".extern .shared .align 4 .b8 dynamic[];\n.entry k() { st.shared.u32 [dynamic], 1; ret; }"),
             "k", TraceMode::none, "k.ptx");
       }),
-      HasSubstr("k.ptx:4: 'dynamic' of the launch's choice of size"));
+      HasSubstr("k.ptx, PTX line 4: 'dynamic' of the launch's choice of size"));
 }
 
 }  // namespace

@@ -46,9 +46,9 @@ TEST(Lexer, CommentsAndStrings) {
 
 TEST(Lexer, RefusesByPlace) {
   const auto refused = [](std::string_view text) { return refusal([&] { tokenize(text, "x.ptx"); }); };
-  EXPECT_EQ(refused("a\nb ?"), "x.ptx:2: character '?'; expected PTX");
-  EXPECT_THAT(refused("/* open"), HasSubstr("x.ptx:1: a comment opens here"));
-  EXPECT_THAT(refused("\"open\n\""), HasSubstr("x.ptx:1: a string opens here"));
+  EXPECT_EQ(refused("a\nb ?"), "x.ptx, PTX line 2: character '?'; expected PTX");
+  EXPECT_THAT(refused("/* open"), HasSubstr("x.ptx, PTX line 1: a comment opens here"));
+  EXPECT_THAT(refused("\"open\n\""), HasSubstr("x.ptx, PTX line 1: a string opens here"));
   EXPECT_THAT(refused("0f12"), HasSubstr("8 hexadecimal digits"));
   EXPECT_THAT(refused("0f"), HasSubstr("8 hexadecimal digits"));
   EXPECT_THAT(refused("99999999999999999999999"), HasSubstr("a number that fits 64 bits"));

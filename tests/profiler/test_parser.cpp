@@ -159,10 +159,10 @@ $L__tmp2:
 TEST(Parser, RefusesByLine) {
   const auto refused = [](std::string_view rest) { return refusal([&] { parse_text(rest); }); };
   EXPECT_EQ(refusal([] { parse("kernel void k() {}", "k.cl"); }),
-            "k.cl:1: 'kernel'; expected '.version', which PTX begins with");
-  EXPECT_EQ(refused(".entry k() { ret }"), "m.ptx:4: '}'; expected an operand");
+            "k.cl, PTX line 1: 'kernel'; expected '.version', which PTX begins with");
+  EXPECT_EQ(refused(".entry k() { ret }"), "m.ptx, PTX line 4: '}'; expected an operand");
   EXPECT_THAT(refused(".entry k() { ret;"), HasSubstr("the body of 'k' opens here"));
-  EXPECT_THAT(refused(".entry k() {\n.reg .b32 %r<99999999>; }"), HasSubstr("m.ptx:5: 99999999 registers"));
+  EXPECT_THAT(refused(".entry k() {\n.reg .b32 %r<99999999>; }"), HasSubstr("m.ptx, PTX line 5: 99999999 registers"));
   EXPECT_THAT(refused(".entry k() { .reg .b32 %a, %a; }"), HasSubstr("'%a' is declared twice"));
   EXPECT_THAT(refused(".entry k() { a: a: ret; }"), HasSubstr("label 'a' stands twice"));
   EXPECT_THAT(refused(".entry k(.param .u32 .align 3 x) { ret; }"), HasSubstr("a power of two"));
@@ -172,7 +172,7 @@ TEST(Parser, RefusesByLine) {
   EXPECT_THAT(refused(".alias a, b;"), HasSubstr("directive '.alias'"));
   EXPECT_THAT(refused(".entry k() { add.u32 %r1,; }"), HasSubstr("';'; expected an operand"));
   EXPECT_EQ(refusal([] { parse(".version 7.5 .address_size 32", "m.ptx"); }),
-            "m.ptx:1: an address size other than 64; expected 64-bit PTX");
+            "m.ptx, PTX line 1: an address size other than 64; expected 64-bit PTX");
 }
 
 TEST(Parser, IgnoresTheNulBytesBehindNvidiasText) {

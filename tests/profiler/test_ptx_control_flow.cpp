@@ -73,7 +73,7 @@ TEST(PtxControlFlow, TablesListEachTargetOnce) {
 
 TEST(PtxControlFlow, RefusesMissingLabels) {
   EXPECT_EQ(refusal([] { blocks_of("bra $nowhere;"); }),
-            "k.ptx:5: label '$nowhere'; expected a label of the function");
+            "k.ptx, PTX line 5: label '$nowhere'; expected a label of the function");
   EXPECT_THAT(refusal([] { blocks_of("brx.idx %r0, $t;"); }), HasSubstr("the label of a .branchtargets"));
 }
 
