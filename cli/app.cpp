@@ -58,8 +58,18 @@ std::unique_ptr<CLI::App> make_app(Action& chosen) {
   app->require_subcommand(1);
   add_list_command(*app, chosen);
   add_run_command(*app, chosen);
+#ifdef WARPGRAIN_HAS_SIMULATOR
   add_profile_command(*app, chosen);
   add_sweep_command(*app, chosen);
+#else
+  for (const char* name : {"profile", "sweep"})
+    app->add_subcommand(name, help_text().summary(name))->allow_extras()->callback([name, &chosen] {
+      chosen = [name]() -> int {
+        throw_input_error(fmt::format("warpgrain {}", name), "this build has no simulator",
+                          "a build configured with WARPGRAIN_SIMULATOR=ON, which needs LLVM 15");
+      };
+    });
+#endif
   return app;
 }
 
