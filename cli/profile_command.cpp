@@ -45,7 +45,8 @@ reports::Report profile_scene(const Options& options, Progress& progress) {
   const Variant variant = options.variant.resolve(scene);
   const Scene at_step = advanced(scene, variant, options.device.backend_options(), options.at_step, progress);
   const auto launches =
-      profile_step(at_step, variant, options.simulator.profile_options(options.device, progress));
+      profile_step(at_step, variant, options.simulator.profile_options(options.device, progress),
+                   options.device.backend_options());
   reports::Report report = reports::make_report(launches, command_line());
   report.scene = scene.name;
   report.variant = variant.name();

@@ -9,6 +9,7 @@
 #include "cli/output.hpp"
 #include "cli/sweep_plan.hpp"
 #include "core/file_io.hpp"
+#include "reports/html/report_page.hpp"
 #include "reports/report_json.hpp"
 #include "variants/contact_laws.hpp"
 #include "variants/step_profile.hpp"
@@ -51,14 +52,16 @@ reports::BackendReading time_and_check(const SweepSetting& setting, const Varian
 }
 
 ProfiledCase profile_case(const SweepSetting& setting, const Variant& variant) {
-  reports::Report report =
-      reports::make_report(profile_step(setting.scene, variant, setting.profile), command_line());
+  reports::Report report = reports::make_report(
+      profile_step(setting.scene, variant, setting.profile, setting.backend), command_line());
   report.scene = setting.scene.name;
   report.variant = variant.name();
   report.particles = setting.scene.particles.size();
   report.step = setting.at_step;
   ProfiledCase result{file_stem(variant) + ".report.json", reports::headline_of(reports::kernels_of(report))};
   write_file_atomically(setting.folder / result.report_file, reports::report_json(report));
+  const auto page = std::filesystem::path(result.report_file).replace_extension(".html");
+  write_file_atomically(setting.folder / page, reports::report_page(report));
   return result;
 }
 

@@ -41,7 +41,7 @@ class ReferenceForces {
 reports::BackendReading time_and_check(const SweepSetting& setting, const Variant& variant,
                                        ReferenceForces& reference);
 
-// Profiles one time step and writes its report into the folder; returns the file's name and the headline
+// Profiles one time step and writes its report, as JSON and as a page, into the folder; returns the file's name and the headline
 // numbers.
 struct ProfiledCase {
   std::string report_file;

@@ -213,8 +213,7 @@ class Sweep {
     if (!options_.output.json.empty()) write_output(options_.output.json, reports::sweep_json(index));
     if (options_.output.summary())
       std::cout << reports::text_sweep(index) << "\nreports: " << (setting_.folder / index_name).string()
-                << ", " << (setting_.folder / "index.html").string()
-                << ", a .report.json a case beside them\n";
+                << ", " << (setting_.folder / "index.html").string() << ", and a report a case beside them\n";
     for (const std::string& trouble : reports::troubles_of(index)) std::cerr << trouble << '\n';
     for (const reports::SweepCase& row : index.cases)
       if (row.status == reports::CaseStatus::failed) return 2;
