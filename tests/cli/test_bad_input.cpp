@@ -164,7 +164,7 @@ TEST_F(BadInput, Calls) {
   refused({"run", "--scene", "head_on", "--backend", "hots"}, {"hots", "host"});
   refused({"run", "--scene", "head_on", "--order", "cel"}, {"cel", "unsorted"});
   refused({"run", "--scene", "head_on", "--variant", "branchy/cells"}, {"branchy/cells"});
-  refused({"run", "--scene", "head_on", "--particles", "8"}, {"--particles"});
+  refused({"run", "--scene", "head_on", "--particles", "8"}, {"particles", "fill"});
   refused({"run", "--scene", "slit", "--particles", "0"}, {"--particles", "above 0"});
   refused({"run", "--scene", "head_on", "--device", "no such device"}, {"no such device"});
   refused({"list", "scene"}, {"scene", "scenes"});
