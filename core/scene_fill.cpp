@@ -3,6 +3,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <random>
+#include <utility>
 
 #include "core/error.hpp"
 
@@ -57,6 +58,11 @@ std::vector<Vector3d> fill_positions(const FillSpec& fill, std::string_view wher
       position[d] = fill.box.lower[d] + cell[d] * (place[d] + 0.5) + jitter[d] * (uniform(random) - 0.5);
     positions.push_back(position);
   }
+  // Grains that are poured come in no order: neighbours in space are not neighbours in the arrays. (Fisher
+  // and Yates; std::shuffle, too, differs between implementations.)
+  for (std::size_t k = positions.size(); k > 1; --k)
+    std::swap(positions[k - 1],
+              positions[static_cast<std::size_t>(uniform(random) * static_cast<double>(k))]);
   return positions;
 }
 

@@ -19,9 +19,10 @@ struct FillSpec {
 // Whether the lattice below holds `count` spheres.
 bool fits(const FillSpec& fill);
 
-// Centres of `count` spheres that lie inside the box without touching, [count], layer by layer from below.
-// The lattice is the widest one that holds them; each sphere is moved within its lattice cell at random, the
-// same on every machine for the same seed. Throws InputError naming `where` when they do not fit.
+// Centres of `count` spheres that lie inside the box without touching, [count], in random order; the layers
+// are filled from below. The lattice is the widest one that holds them; each sphere is moved within its
+// lattice cell at random, the same on every machine for the same seed. Throws InputError naming `where` when
+// they do not fit.
 std::vector<Vector3d> fill_positions(const FillSpec& fill, std::string_view where);
 
 }  // namespace warpgrain
