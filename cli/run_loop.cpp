@@ -86,6 +86,7 @@ Scene advanced(const Scene& scene, const Variant& variant, const BackendOptions&
   run_to_goal(
       *simulation, {steps, {}, steps}, [] {}, progress);
   result.particles = simulation->state();
+  make_antisymmetric(result.particles.contact_history);
   return result;
 }
 

@@ -25,4 +25,9 @@ struct ContactRecord {
 // Sorted by (particle_id, partner_id), each pair of ids once.
 using ContactHistory = std::vector<ContactRecord>;
 
+// Gives each pair of particles one displacement: the one of the smaller id, and its negative to the other. A
+// device keeps both sides apart and rounds them apart, the reference keeps one: without this, comparing the
+// two from a device's state measures how far its sides have parted.
+void make_antisymmetric(ContactHistory& history);
+
 }  // namespace warpgrain

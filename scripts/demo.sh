@@ -12,4 +12,4 @@ cd "$(dirname "$0")/.."
 scripts/install_dependencies.sh
 cmake --preset release
 cmake --build --preset release --parallel "$(nproc)" --target warpgrain
-exec build/release/cli/warpgrain sweep --scene slit --particles 16384 --at-step 3000 --out out/demo "$@"
+exec build/release/cli/warpgrain sweep --scene slit --particles 16384 --at-step 6000 --out out/demo "$@"
