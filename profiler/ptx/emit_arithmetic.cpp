@@ -17,7 +17,7 @@ Value* extend(Emitter& e, Value* value, ScalarType from, unsigned bits) {
 
 // a + b (or a - b) with carry in and out, as add.cc, addc, sub.cc and subc have them.
 void emit_with_carry(Emitter& e, bool subtract, bool carry_in, bool carry_out) {
-  const ScalarType type = e.take_type();
+  const ScalarType type = e.take_type(Emitter::Types::integer);
   const unsigned wide = type.bits + 1u;
   const auto widen = [&](Value* v) { return e.ir.CreateZExt(v, e.int_type(wide)); };
   Value* a = widen(e.read(1, type));
@@ -94,15 +94,14 @@ void emit_fma_of(Emitter& e, FloatOperation& modes, ScalarType type) {
 
 void emit_fma(Emitter& e) {
   FloatOperation modes(e, FloatOperation::Rounding::any);
-  const ScalarType type = e.take_type();
-  if (!type.is_float()) e.refuse("a float type");
+  const ScalarType type = e.take_type(Emitter::Types::floating);
   emit_fma_of(e, modes, type);
 }
 
 // mad.cc and madc: the product's part plus c, with carry.
 void emit_mad_with_carry(Emitter& e, bool carry_in, bool carry_out) {
   const std::string_view part = take_product_part(e);
-  const ScalarType type = e.take_type();
+  const ScalarType type = e.take_type(Emitter::Types::integer);
   if (part != "lo" && part != "hi") e.refuse(".lo or .hi");
   ScalarType result;
   const auto widen = [&](Value* v) { return e.ir.CreateZExt(v, e.int_type(type.bits + 1u)); };
@@ -128,6 +127,7 @@ void emit_mad(Emitter& e) {
 
 // The low or high 32 bits of the 48-bit product of the operands' low 24 bits.
 Value* product_24(Emitter& e, ScalarType type, bool high) {
+  if (type.bits != 32) e.refuse("u32 or s32");
   const auto low_24 = [&](std::size_t i) {
     Value* shifted = e.ir.CreateShl(e.ir.CreateZExt(e.read(i, type), e.ir.getInt64Ty()), 40);
     return type.is_signed() ? e.ir.CreateAShr(shifted, 40) : e.ir.CreateLShr(shifted, 40);
@@ -138,13 +138,13 @@ Value* product_24(Emitter& e, ScalarType type, bool high) {
 
 void emit_mul24(Emitter& e) {
   const std::string_view part = e.modifiers().take_one_of({"lo", "hi"});
-  const ScalarType type = e.take_type();
+  const ScalarType type = e.take_type(Emitter::Types::integer);
   e.write(product_24(e, type, part == "hi"), type);
 }
 
 void emit_mad24(Emitter& e) {
   const std::string_view part = e.modifiers().take_one_of({"lo", "hi"});
-  const ScalarType type = e.take_type();
+  const ScalarType type = e.take_type(Emitter::Types::integer);
   e.write(e.ir.CreateAdd(product_24(e, type, part == "hi"), e.read(3, type)), type);
 }
 
@@ -184,7 +184,7 @@ void emit_div(Emitter& e) {
   emit_integer_division(e, type, false);
 }
 
-void emit_rem(Emitter& e) { emit_integer_division(e, e.take_type(), true); }
+void emit_rem(Emitter& e) { emit_integer_division(e, e.take_type(Emitter::Types::integer), true); }
 
 void emit_abs(Emitter& e) {
   FloatOperation modes(e);
@@ -235,7 +235,7 @@ void emit_max(Emitter& e) { emit_extremum(e, false); }
 
 // |a - b| + c
 void emit_sad(Emitter& e) {
-  const ScalarType type = e.take_type();
+  const ScalarType type = e.take_type(Emitter::Types::integer);
   Value* a = e.read(1, type);
   Value* b = e.read(2, type);
   Value* less = type.is_signed() ? e.ir.CreateICmpSLT(a, b) : e.ir.CreateICmpULT(a, b);

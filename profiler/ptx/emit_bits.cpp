@@ -8,38 +8,38 @@ namespace {
 using llvm::Value;
 
 void emit_and(Emitter& e) {
-  const ScalarType type = e.take_type();
+  const ScalarType type = e.take_type(Emitter::Types::integer_or_predicate);
   Value* a = e.read(1, type);
   e.write(e.ir.CreateAnd(a, e.read(2, type)), type);
 }
 
 void emit_or(Emitter& e) {
-  const ScalarType type = e.take_type();
+  const ScalarType type = e.take_type(Emitter::Types::integer_or_predicate);
   Value* a = e.read(1, type);
   e.write(e.ir.CreateOr(a, e.read(2, type)), type);
 }
 
 void emit_xor(Emitter& e) {
-  const ScalarType type = e.take_type();
+  const ScalarType type = e.take_type(Emitter::Types::integer_or_predicate);
   Value* a = e.read(1, type);
   e.write(e.ir.CreateXor(a, e.read(2, type)), type);
 }
 
 void emit_not(Emitter& e) {
-  const ScalarType type = e.take_type();
+  const ScalarType type = e.take_type(Emitter::Types::integer_or_predicate);
   e.write(e.ir.CreateNot(e.read(1, type)), type);
 }
 
 // 1 for zero, else 0
 void emit_cnot(Emitter& e) {
-  const ScalarType type = e.take_type();
+  const ScalarType type = e.take_type(Emitter::Types::integer);
   Value* is_zero = e.ir.CreateICmpEQ(e.read(1, type), llvm::ConstantInt::get(e.type(type), 0));
   e.write(e.ir.CreateZExt(is_zero, e.type(type)), type);
 }
 
 // Any function of three bits: the constant's bit 4a + 2b + c is its value.
 void emit_lop3(Emitter& e) {
-  const ScalarType type = e.take_type();
+  const ScalarType type = e.take_type(Emitter::Types::integer);
   if (e.operand_count() != 5 || e.operand(4).kind != Operand::Kind::integer) e.refuse("a constant table");
   Value* const inputs[] = {e.read(1, type), e.read(2, type), e.read(3, type)};
   Value* result = llvm::ConstantInt::get(e.type(type), 0);
@@ -81,13 +81,13 @@ Value* shift_amount(Emitter& e, std::size_t index, ScalarType type) {
 }
 
 void emit_shl(Emitter& e) {
-  const ScalarType type = e.take_type();
+  const ScalarType type = e.take_type(Emitter::Types::integer);
   Value* value = e.read(1, type);
   e.write(shift_left(e, value, shift_amount(e, 2, type)), type);
 }
 
 void emit_shr(Emitter& e) {
-  const ScalarType type = e.take_type();
+  const ScalarType type = e.take_type(Emitter::Types::integer);
   Value* value = e.read(1, type);
   e.write(shift_right(e, value, shift_amount(e, 2, type), type.is_signed()), type);
 }
@@ -96,7 +96,7 @@ void emit_shr(Emitter& e) {
 void emit_shf(Emitter& e) {
   const bool left = e.modifiers().take_one_of({"l", "r"}) == "l";
   const bool wraps = e.modifiers().take_one_of({"wrap", "clamp"}) == "wrap";
-  const ScalarType type = e.take_type();
+  const ScalarType type = e.take_type(Emitter::Types::integer);
   if (type.bits != 32) e.refuse("b32");
   const auto widen = [&](Value* v) { return e.ir.CreateZExt(v, e.ir.getInt64Ty()); };
   Value* low = widen(e.read(1, type));
@@ -123,7 +123,7 @@ Value* low_ones(Emitter& e, Value* length) {
 }
 
 void emit_bfe(Emitter& e) {
-  const ScalarType type = e.take_type();
+  const ScalarType type = e.take_type(Emitter::Types::integer);
   Value* position = field_operand(e, 2, type);
   Value* length = field_operand(e, 3, type);
   Value* shifted = shift_right(e, e.read(1, type), position, type.is_signed());
@@ -138,7 +138,7 @@ void emit_bfe(Emitter& e) {
 }
 
 void emit_bfi(Emitter& e) {
-  const ScalarType type = e.take_type();
+  const ScalarType type = e.take_type(Emitter::Types::integer);
   Value* field = e.read(1, type);
   Value* base = e.read(2, type);
   Value* position = field_operand(e, 3, type);
@@ -150,7 +150,7 @@ void emit_bfi(Emitter& e) {
 const ScalarType u32{ScalarType::Kind::unsigned_integer, 32};
 
 void emit_popc(Emitter& e) {
-  const ScalarType type = e.take_type();
+  const ScalarType type = e.take_type(Emitter::Types::integer);
   Value* count = e.call_intrinsic(llvm::Intrinsic::ctpop, e.type(type), {e.read(1, type)});
   e.write(e.ir.CreateZExtOrTrunc(count, e.ir.getInt32Ty()), u32);
 }
@@ -161,14 +161,14 @@ Value* leading_zeros(Emitter& e, Value* value) {
 }
 
 void emit_clz(Emitter& e) {
-  const ScalarType type = e.take_type();
+  const ScalarType type = e.take_type(Emitter::Types::integer);
   e.write(leading_zeros(e, e.read(1, type)), u32);
 }
 
 // The highest bit that is not the sign; all ones when there is none. .shiftamt counts from the top.
 void emit_bfind(Emitter& e) {
   const bool from_top = e.modifiers().take("shiftamt");
-  const ScalarType type = e.take_type();
+  const ScalarType type = e.take_type(Emitter::Types::integer);
   Value* value = e.read(1, type);
   Value* zero = llvm::ConstantInt::get(e.type(type), 0);
   if (type.is_signed())
@@ -179,14 +179,15 @@ void emit_bfind(Emitter& e) {
 }
 
 void emit_brev(Emitter& e) {
-  const ScalarType type = e.take_type();
+  const ScalarType type = e.take_type(Emitter::Types::integer);
   e.write(e.call_intrinsic(llvm::Intrinsic::bitreverse, e.type(type), {e.read(1, type)}), type);
 }
 
 // Byte i of the result is byte n of {b, a}, where n is nibble i of c; the nibble's top bit repeats that
 // byte's sign.
 void emit_prmt(Emitter& e) {
-  const ScalarType type = e.take_type();
+  const ScalarType type = e.take_type(Emitter::Types::integer);
+  if (type.bits != 32) e.refuse("b32");
   const auto widen = [&](Value* v) { return e.ir.CreateZExt(v, e.ir.getInt64Ty()); };
   Value* low = widen(e.read(1, type));
   Value* bytes = e.ir.CreateOr(e.ir.CreateShl(widen(e.read(2, type)), 32), low);

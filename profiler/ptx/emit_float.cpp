@@ -14,7 +14,7 @@ void take_accuracy(Emitter& e) { e.modifiers().take("approx"); }
 void emit_sqrt(Emitter& e) {
   FloatOperation modes(e, FloatOperation::Rounding::any);
   take_accuracy(e);
-  const ScalarType type = e.take_type();
+  const ScalarType type = e.take_type(Emitter::Types::floating);
   Value* x = modes.input(1, type);
   modes.output(modes.rounded("sqrt", {x}, e.call_intrinsic(llvm::Intrinsic::sqrt, e.type(type), {x})), type);
 }
@@ -22,7 +22,7 @@ void emit_sqrt(Emitter& e) {
 void emit_rcp(Emitter& e) {
   FloatOperation modes(e, FloatOperation::Rounding::any);
   take_accuracy(e);
-  const ScalarType type = e.take_type();
+  const ScalarType type = e.take_type(Emitter::Types::floating);
   Value* x = modes.input(1, type);
   Value* one = llvm::ConstantFP::get(e.type(type), 1.0);
   modes.output(modes.rounded("div", {one, x}, e.ir.CreateFDiv(one, x)), type);
@@ -31,7 +31,7 @@ void emit_rcp(Emitter& e) {
 void emit_rsqrt(Emitter& e) {
   FloatOperation modes(e);
   take_accuracy(e);
-  const ScalarType type = e.take_type();
+  const ScalarType type = e.take_type(Emitter::Types::floating);
   // In double, so that two roundings to float do not add up.
   llvm::Type* const f64 = e.ir.getDoubleTy();
   Value* root = e.call_intrinsic(llvm::Intrinsic::sqrt, f64, {e.ir.CreateFPExt(modes.input(1, type), f64)});
@@ -43,7 +43,7 @@ void emit_rsqrt(Emitter& e) {
 void emit_host_function(Emitter& e) {
   FloatOperation modes(e);
   take_accuracy(e);
-  const ScalarType type = e.take_type();
+  const ScalarType type = e.take_type(Emitter::Types::floating);
   if (type.bits != 32) e.refuse("f32");
   modes.output(e.call_host("warpgrain_" + e.statement().opcode, e.type(type), {modes.input(1, type)}), type);
 }
@@ -51,8 +51,7 @@ void emit_host_function(Emitter& e) {
 void emit_testp(Emitter& e) {
   const std::string_view test =
       e.modifiers().take_one_of({"finite", "infinite", "number", "notanumber", "normal", "subnormal"});
-  const ScalarType type = e.take_type();
-  if (!type.is_float()) e.refuse("a float type");
+  const ScalarType type = e.take_type(Emitter::Types::floating);
   Value* magnitude = e.call_intrinsic(llvm::Intrinsic::fabs, e.type(type), {e.read(1, type)});
   Value* infinity = llvm::ConstantFP::getInfinity(e.type(type));
   Value* least_normal = llvm::ConstantFP::get(
@@ -74,7 +73,7 @@ void emit_testp(Emitter& e) {
 
 // b with the sign of a
 void emit_copysign(Emitter& e) {
-  const ScalarType type = e.take_type();
+  const ScalarType type = e.take_type(Emitter::Types::floating);
   Value* sign = e.read(1, type);
   e.write(e.call_intrinsic(llvm::Intrinsic::copysign, e.type(type), {e.read(2, type), sign}), type);
 }

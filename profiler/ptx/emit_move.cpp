@@ -28,7 +28,7 @@ void unpack(Emitter& e, const Operand& vector, Value* value, ScalarType type) {
 }
 
 void emit_mov(Emitter& e) {
-  const ScalarType type = e.take_type();
+  const ScalarType type = e.take_type(Emitter::Types::any);
   const Operand& to = e.operand(0);
   const Operand& from = e.operand(1);
   const bool packs = from.kind == Operand::Kind::vector;
@@ -47,7 +47,7 @@ void emit_mov(Emitter& e) {
 void emit_cvta(Emitter& e) {
   e.modifiers().take("to");
   e.modifiers().take_space();
-  const ScalarType type = e.take_type();
+  const ScalarType type = e.take_type(Emitter::Types::integer);
   e.write(e.read(1, type), type);
 }
 

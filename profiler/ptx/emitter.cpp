@@ -52,10 +52,18 @@ const Operand& Emitter::operand(std::size_t index) const {
   return statement_->operands[index];
 }
 
-ScalarType Emitter::take_type() {
-  const auto type = modifiers_->take_type();
-  if (!type) refuse("a type");
-  return *type;
+ScalarType Emitter::take_type(Types types) {
+  const auto taken = modifiers_->take_type();
+  if (!taken) refuse("a type");
+  const bool fits = types == Types::any || (types == Types::number && !taken->is_predicate()) ||
+                    (types == Types::floating && taken->is_float()) ||
+                    (types == Types::integer && !taken->is_float() && !taken->is_predicate()) ||
+                    (types == Types::integer_or_predicate && !taken->is_float());
+  if (!fits)
+    refuse(types == Types::floating ? "a float type"
+           : types == Types::number ? "a number's type"
+                                    : "an integer type");
+  return *taken;
 }
 
 void Emitter::refuse(std::string_view expected) const {
@@ -79,6 +87,7 @@ llvm::Value* Emitter::convert_bits(llvm::Value* value, ScalarType from, ScalarTy
 llvm::Value* Emitter::read(const Operand& operand, ScalarType as) {
   switch (operand.kind) {
     case Operand::Kind::name: {
+      if (operand.negated && !as.is_predicate()) refuse("'!' before predicates only");
       llvm::Value* value = read_name(operand, as);
       return operand.negated ? ir.CreateNot(value) : value;
     }

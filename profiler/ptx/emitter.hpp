@@ -30,7 +30,9 @@ class Emitter {
   ModifierReader& modifiers() { return *modifiers_; }
   const Operand& operand(std::size_t index) const;
   std::size_t operand_count() const { return statement_->operands.size(); }
-  ScalarType take_type();  // the next type among the modifiers
+  enum class Types : std::uint8_t { any, number, integer, integer_or_predicate, floating };
+  // The next type among the modifiers; the instruction is refused when it is not of these.
+  ScalarType take_type(Types types = Types::number);
   // Throws InputError naming the PTX line and the instruction.
   [[noreturn]] void refuse(std::string_view expected = {}) const;
 
