@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <string_view>
 #include <vector>
 
 #include "analysis/force_error.hpp"
@@ -24,31 +25,47 @@ const ForceState& ReferenceForces::of(ContactModel model) {
   return forces_[model] = evaluate_forces(scene, scene.particles, scene.time_step).forces;
 }
 
-reports::BackendReading time_and_check(const SweepSetting& setting, const Variant& variant,
-                                       ReferenceForces& reference) {
-  using Clock = std::chrono::steady_clock;
-  const auto simulation = backend("opencl").create(setting.scene, variant, setting.backend);
+namespace {
+
+reports::BackendReading check_forces(std::string_view backend_name, const Simulation& simulation,
+                                     const ForceState& expected) {
   reports::BackendReading reading;
-  reading.backend = "opencl";
-  reading.device = simulation->device();
-  reading.steps = setting.timed_steps;
-
-  const ForceState& expected = reference.of(contact_law(variant).model);
-  const ForceError error = force_error(simulation->state(), simulation->forces(), expected);
+  reading.backend = backend_name;
+  reading.device = simulation.device();
+  const ForceError error = force_error(simulation.state(), simulation.forces(), expected);
   reading.force_error = {{error.force.maximum, error.force.root_mean_square}};
+  return reading;
+}
 
-  // Five readings of equal length: the median of few steps resists the neighbours of a shared machine.
+// Five readings of equal length: the median resists the neighbours of a shared machine.
+double median_seconds_per_step(Simulation& simulation, std::uint64_t timed_steps) {
+  using Clock = std::chrono::steady_clock;
   constexpr std::uint64_t readings = 5;
-  const std::uint64_t steps = std::max<std::uint64_t>(1, setting.timed_steps / readings);
+  const std::uint64_t steps = std::max<std::uint64_t>(1, timed_steps / readings);
   std::vector<double> seconds;
-  for (std::uint64_t k = 0; k < readings && setting.timed_steps; ++k) {
+  for (std::uint64_t k = 0; k < readings; ++k) {
     const auto start = Clock::now();
-    simulation->step(steps);
+    simulation.step(steps);
     seconds.push_back(std::chrono::duration<double>(Clock::now() - start).count() /
                       static_cast<double>(steps));
   }
-  if (!seconds.empty()) reading.seconds_per_step = median(seconds);
-  return reading;
+  return median(seconds);
+}
+
+}  // namespace
+
+std::vector<reports::BackendReading> time_and_check(const SweepSetting& setting, const Variant& variant,
+                                                    ReferenceForces& reference) {
+  const ForceState& expected = reference.of(contact_law(variant).model);
+  std::vector<reports::BackendReading> readings;
+  for (std::string_view name : {"host", "opencl"}) {
+    const auto simulation = backend(name).create(setting.scene, variant, setting.backend);
+    readings.push_back(check_forces(name, *simulation, expected));
+    if (name != "opencl" || setting.timed_steps == 0) continue;
+    readings.back().steps = setting.timed_steps;
+    readings.back().seconds_per_step = median_seconds_per_step(*simulation, setting.timed_steps);
+  }
+  return readings;
 }
 
 ProfiledCase profile_case(const SweepSetting& setting, const Variant& variant) {

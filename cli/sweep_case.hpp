@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "cli/profile_options.hpp"
 #include "core/reference_forces.hpp"
@@ -36,13 +37,13 @@ class ReferenceForces {
   std::map<ContactModel, ForceState> forces_;
 };
 
-// Runs the variant on the OpenCL device: seconds a step, and the error of its forces against the double
-// reference.
-reports::BackendReading time_and_check(const SweepSetting& setting, const Variant& variant,
-                                       ReferenceForces& reference);
+// The error of the variant's forces against the double reference on the host and on the OpenCL device, and
+// the device's seconds a step.
+std::vector<reports::BackendReading> time_and_check(const SweepSetting& setting, const Variant& variant,
+                                                    ReferenceForces& reference);
 
-// Profiles one time step and writes its report, as JSON and as a page, into the folder; returns the file's name and the headline
-// numbers.
+// Profiles one time step and writes its report, as JSON and as a page, into the folder; returns the file's
+// name and the headline numbers.
 struct ProfiledCase {
   std::string report_file;
   reports::Headline headline;

@@ -169,9 +169,8 @@ class Sweep {
     for (std::size_t k = 0; k < pending_.size(); ++k) {
       progress_.update("timing", static_cast<double>(k) / static_cast<double>(pending_.size()),
                        pending_[k].variant.name());
-      attempt(pending_[k].row, [&] {
-        pending_[k].row.backends.push_back(time_and_check(setting_, pending_[k].variant, reference));
-      });
+      attempt(pending_[k].row,
+              [&] { pending_[k].row.backends = time_and_check(setting_, pending_[k].variant, reference); });
     }
   }
 

@@ -1,0 +1,114 @@
+// The commands as a user calls them, on small scenes, with every document that they write read back.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "cli/sweep_plan.hpp"
+#include "command_fixture.hpp"
+#include "core/state_file.hpp"
+#include "reports/report_json.hpp"
+#include "reports/run_report.hpp"
+#include "reports/sweep_index.hpp"
+
+namespace warpgrain::cli {
+namespace {
+
+using Commands = CommandTest;
+using testing::HasSubstr;
+
+TEST_F(Commands, ListIsTheSameAsTextAndJson) {
+  ASSERT_EQ(call({"list", "variants", "--json", "-"}), 0) << err_;
+  const auto json = nlohmann::json::parse(out_);
+  EXPECT_EQ(json["format"], "warpgrain.list/1");
+  ASSERT_EQ(call({"list", "variants"}), 0);
+  for (const auto& row : json["variants"]) EXPECT_THAT(out_, HasSubstr(row["name"].get<std::string>()));
+  EXPECT_EQ(json["variants"].size(), all_variants().size());
+}
+
+TEST_F(Commands, RunWritesItsDocumentAndItsState) {
+  ASSERT_EQ(call({"run", "--scene", "head_on", "--steps", "20", "--sample-every", "5", "--json",
+                  path("r.json"), "--state", path("s.csv"), "--vtk", path("vtk")}),
+            0)
+      << err_;
+  EXPECT_THAT(out_, HasSubstr("20 steps"));
+  const reports::RunReport run = reports::read_run(path("r.json"));
+  EXPECT_EQ(run.steps, 20u);
+  EXPECT_EQ(run.energy.size(), 5u);
+  EXPECT_EQ(read_state_file(path("s.csv")).size(), 2u);
+  EXPECT_TRUE(std::filesystem::exists(path("vtk/particles_000000020.vtp")));
+}
+
+TEST_F(Commands, QuietLeavesResultsOnly) {
+  ASSERT_EQ(call({"run", "--scene", "head_on", "--steps", "5", "--backend", "host", "--quiet"}), 0);
+  EXPECT_EQ(out_, "");
+  ASSERT_EQ(
+      call({"run", "--scene", "head_on", "--steps", "5", "--backend", "host", "--quiet", "--json", "-"}), 0);
+  EXPECT_EQ(nlohmann::json::parse(out_)["format"], "warpgrain.run/1");
+}
+
+TEST_F(Commands, ProfileDumpsAndReports) {
+  write("k.cl",
+        "kernel void halves(global int* a) {\n  int i = get_global_id(0);\n"
+        "  if (i % 32 < 16) {  // branch: lower half\n    a[i] = a[i] * 3 + i / (a[i] + 1);\n  }\n}\n");
+  const std::string launch = write("k.sim", "k.cl\nhalves\n64 1 1\n64 1 1\n<size=256 int fill=1 dump>\n");
+  ASSERT_EQ(call({"profile", launch, "--json", path("r.json"), "--html", path("r.html")}), 0) << err_;
+  EXPECT_THAT(out_, HasSubstr("Argument 'a': 256 bytes\n  a[0] = 3"));
+  EXPECT_THAT(out_, HasSubstr("lower half"));
+  const reports::Report report = reports::read_report(path("r.json"));
+  ASSERT_EQ(report.launches.size(), 1u);
+  EXPECT_EQ(report.launches[0].counters.totals.divergent_branches, 2u);
+  EXPECT_THAT(read("r.html"), HasSubstr("lower half"));
+}
+
+TEST_F(Commands, SweepResumesAndShards) {
+  const std::vector<std::string> sweep{"sweep",          "--scene", "settled_bed",    "--particles", "64",
+                                       "--at-step",      "20",      "--steps",        "5",           "--axis",
+                                       "precision=fp32", "--axis",  "contact=branchy"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), sweep.begin(), sweep.end());
+    return more;
+  };
+  ASSERT_EQ(call(with({"--out", path("a")})), 0) << err_;
+  const reports::SweepIndex all = reports::read_sweep(path("a/index.json"));
+  ASSERT_EQ(all.cases.size(), 2u);
+  for (const reports::SweepCase& row : all.cases) {
+    EXPECT_EQ(row.status, reports::CaseStatus::done) << row.message;
+    EXPECT_EQ(reports::read_report(path("a/" + row.report_file.value())).variant, row.variant);
+  }
+
+  ASSERT_EQ(call(with({"--out", path("b"), "--shard", "2/2"})), 0) << err_;
+  const reports::SweepIndex half = reports::read_sweep(path("b/index.json"));
+  ASSERT_EQ(half.cases.size(), 1u);
+  EXPECT_EQ(half.cases[0].variant, all.cases[1].variant);
+  // The other half is added to what is there, and what is there stays untouched.
+  const auto written = std::filesystem::last_write_time(path("b/" + half.cases[0].report_file.value()));
+  ASSERT_EQ(call(with({"--out", path("b"), "--resume", "--jobs", "2"})), 0) << err_;
+  const reports::SweepIndex joined = reports::read_sweep(path("b/index.json"));
+  ASSERT_EQ(joined.cases.size(), 2u);
+  EXPECT_EQ(joined.cases[0].variant, all.cases[0].variant);
+  EXPECT_EQ(std::filesystem::last_write_time(path("b/" + half.cases[0].report_file.value())), written);
+  // A folder of another sweep is not mixed with this one.
+  EXPECT_EQ(call(with({"--out", path("b"), "--resume", "--seed", "1", "--at-step", "21"})), 2);
+}
+
+TEST(SweepPlan, SelectsByAxisInTableOrder) {
+  EXPECT_EQ(swept_variants({}).size(), all_variants().size());
+  for (const Variant& variant : swept_variants({"order=cell", "precision=fp64"})) {
+    EXPECT_EQ(variant.value(AxisId::order), "cell");
+    EXPECT_EQ(variant.value(AxisId::precision), "fp64");
+  }
+}
+
+TEST(SweepPlan, ShardsCoverEveryCaseOnce) {
+  for (std::size_t n = 1; n <= 4; ++n)
+    for (std::size_t position = 0; position < 10; ++position) {
+      std::size_t owners = 0;
+      for (std::size_t i = 1; i <= n; ++i) owners += Shard{i, n}.has(position) ? 1 : 0;
+      EXPECT_EQ(owners, 1u);
+    }
+}
+
+}  // namespace
+}  // namespace warpgrain::cli
