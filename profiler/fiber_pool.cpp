@@ -1,5 +1,7 @@
 #include "profiler/fiber_pool.hpp"
 
+#include <sanitizer/asan_interface.h>
+
 namespace warpgrain::profiler {
 
 namespace context = boost::context::detail;
@@ -9,11 +11,21 @@ FiberPool::FiberPool(std::size_t lanes, std::size_t stack_bytes) : allocator_(st
 }
 
 FiberPool::~FiberPool() {
-  for (Fiber& fiber : fibers_) allocator_.deallocate(fiber.stack);
+  for (Fiber& fiber : fibers_) {
+    forget_frames(fiber);
+    allocator_.deallocate(fiber.stack);
+  }
+}
+
+// The first frame on a stack never returns, so that the address sanitizer would keep its red zones.
+void FiberPool::forget_frames(const Fiber& fiber) {
+  const auto* const end = static_cast<const std::byte*>(fiber.stack.sp);
+  ASAN_UNPOISON_MEMORY_REGION(end - fiber.stack.size, fiber.stack.size);
 }
 
 void FiberPool::start(std::size_t index, LaneFunction function, LaneContext* lane) {
   Fiber& fiber = fibers_[index];
+  forget_frames(fiber);
   fiber.function = function;
   fiber.context = lane;
   fiber.is_done = false;

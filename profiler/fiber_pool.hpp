@@ -37,6 +37,7 @@ class FiberPool {
     bool is_done = true;
   };
 
+  static void forget_frames(const Fiber& fiber);
   static void enter(boost::context::detail::transfer_t transfer);
   static void wait(LaneContext* context, std::uint32_t line);
 

@@ -18,10 +18,10 @@ std::vector<BlockIndex> blocks_of(const LaneTrace& lane) {
 }
 
 constexpr std::string_view half_half = R"(
-kernel void half_half(global int* out) {
-  int i = get_global_id(0);
+kernel void half_half(global uint* out) {
+  uint i = get_global_id(0);
   if (i & 1) {
-    for (int k = 0; k < i; ++k) out[i] += out[k] * 3 + k;
+    for (uint k = 0; k < i; ++k) out[i] += out[k] * 3 + k;
   } else {
     out[i] = i * 7;
   }
@@ -31,12 +31,12 @@ kernel void half_half(global int* out) {
 TEST(Executable, RunsAKernelInEveryTraceMode) {
   for (const TraceMode mode : {TraceMode::none, TraceMode::blocks, TraceMode::blocks_and_addresses}) {
     const auto executable = compile_kernel(half_half, "half_half", mode);
-    std::vector<int> out(64, 1);
+    std::vector<std::uint32_t> out(64, 1);
     run_launch(*executable, line_of(64, 32), {buffer_of(out)});
-    std::vector<int> expected(64, 1);
-    for (int i = 0; i < 64; ++i) {
+    std::vector<std::uint32_t> expected(64, 1);
+    for (std::uint32_t i = 0; i < 64; ++i) {
       if (i & 1)
-        for (int k = 0; k < i; ++k) expected[i] += expected[k] * 3 + k;
+        for (std::uint32_t k = 0; k < i; ++k) expected[i] += expected[k] * 3 + k;
       else
         expected[i] = i * 7;
     }
