@@ -2,8 +2,8 @@
 
 #include "prelude.h"
 
-// The (begin, end) pairs of `cell_ranges` are written as single numbers: a compiler may store one component of
-// a uint2 by loading, changing and storing both, and the two components belong to two work-items.
+// The (begin, end) pairs of `cell_ranges` are written as single numbers: a compiler may store one component
+// of a uint2 by loading, changing and storing both, and the two components belong to two work-items.
 
 KERNEL void clear_cells(const StepParameters p, GLOBAL uint* cell_ranges) {
   const uint cell = work_item();

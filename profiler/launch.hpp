@@ -11,8 +11,8 @@
 namespace warpgrain::profiler {
 
 struct LaunchShape {
-  std::array<std::uint64_t, 3> global_size{1, 1, 1};    // work-items
-  std::array<std::uint32_t, 3> local_size{1, 1, 1};     // divides global_size
+  std::array<std::uint64_t, 3> global_size{1, 1, 1};  // work-items
+  std::array<std::uint32_t, 3> local_size{1, 1, 1};   // divides global_size
   std::array<std::uint64_t, 3> group_count() const {
     return {global_size[0] / local_size[0], global_size[1] / local_size[1], global_size[2] / local_size[2]};
   }

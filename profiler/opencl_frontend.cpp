@@ -61,8 +61,8 @@ const std::string& builtin_library() {
 std::vector<std::string> pinned_options(bool exact_division) {
   return {"-x", "cl", "-cl-std=CL1.2", "-target", "nvptx64-nvidia-nvcl", "-Xclang", "-target-cpu", "-Xclang",
           "sm_70", "-Xclang", "-mlink-builtin-bitcode", "-Xclang", builtin_library(), "-Wno-linker-warnings",
-          "-O2", "-gdwarf-4", "-gline-directives-only", "-fdebug-compilation-dir=.", "-fno-crash-diagnostics", "-mllvm",
-          "-unroll-runtime=false", "-mllvm", "-unroll-allow-partial=false",
+          "-O2", "-gdwarf-4", "-gline-directives-only", "-fdebug-compilation-dir=.", "-fno-crash-diagnostics",
+          "-mllvm", "-unroll-runtime=false", "-mllvm", "-unroll-allow-partial=false",
           // Devices' compilers put every function in place.
           "-mllvm", "-inline-threshold=1000000",
           // OpenCL's accuracy of float division, 2.5 ulp, lets it be div.full; else IEEE's.

@@ -1,20 +1,20 @@
-// Comes before every kernel. libclc's native functions and its square roots compile to what NVPTX cannot select, or to
-// long exact code; on the devices that OpenCL's accuracy rules are written for they are one or two approximate
-// instructions. `nodebug` gives those the line of the call.
+// Comes before every kernel. libclc's native functions and its square roots compile to what NVPTX cannot
+// select, or to long exact code; on the devices that OpenCL's accuracy rules are written for they are one or
+// two approximate instructions. `nodebug` gives those the line of the call.
 #define WARPGRAIN_INLINE static inline __attribute__((overloadable, always_inline, nodebug))
 
-#define WARPGRAIN_VECTORS_OF_1(f, T)                                               \
-  WARPGRAIN_INLINE T##2 f(T##2 x) { return (T##2)(f(x.x), f(x.y)); }               \
-  WARPGRAIN_INLINE T##3 f(T##3 x) { return (T##3)(f(x.x), f(x.y), f(x.z)); }       \
-  WARPGRAIN_INLINE T##4 f(T##4 x) { return (T##4)(f(x.lo), f(x.hi)); }             \
-  WARPGRAIN_INLINE T##8 f(T##8 x) { return (T##8)(f(x.lo), f(x.hi)); }             \
+#define WARPGRAIN_VECTORS_OF_1(f, T)                                         \
+  WARPGRAIN_INLINE T##2 f(T##2 x) { return (T##2)(f(x.x), f(x.y)); }         \
+  WARPGRAIN_INLINE T##3 f(T##3 x) { return (T##3)(f(x.x), f(x.y), f(x.z)); } \
+  WARPGRAIN_INLINE T##4 f(T##4 x) { return (T##4)(f(x.lo), f(x.hi)); }       \
+  WARPGRAIN_INLINE T##8 f(T##8 x) { return (T##8)(f(x.lo), f(x.hi)); }       \
   WARPGRAIN_INLINE T##16 f(T##16 x) { return (T##16)(f(x.lo), f(x.hi)); }
 
-#define WARPGRAIN_VECTORS_OF_2(f)                                                                          \
-  WARPGRAIN_INLINE float2 f(float2 x, float2 y) { return (float2)(f(x.x, y.x), f(x.y, y.y)); }             \
-  WARPGRAIN_INLINE float3 f(float3 x, float3 y) { return (float3)(f(x.xy, y.xy), f(x.z, y.z)); }           \
-  WARPGRAIN_INLINE float4 f(float4 x, float4 y) { return (float4)(f(x.lo, y.lo), f(x.hi, y.hi)); }         \
-  WARPGRAIN_INLINE float8 f(float8 x, float8 y) { return (float8)(f(x.lo, y.lo), f(x.hi, y.hi)); }         \
+#define WARPGRAIN_VECTORS_OF_2(f)                                                                  \
+  WARPGRAIN_INLINE float2 f(float2 x, float2 y) { return (float2)(f(x.x, y.x), f(x.y, y.y)); }     \
+  WARPGRAIN_INLINE float3 f(float3 x, float3 y) { return (float3)(f(x.xy, y.xy), f(x.z, y.z)); }   \
+  WARPGRAIN_INLINE float4 f(float4 x, float4 y) { return (float4)(f(x.lo, y.lo), f(x.hi, y.hi)); } \
+  WARPGRAIN_INLINE float8 f(float8 x, float8 y) { return (float8)(f(x.lo, y.lo), f(x.hi, y.hi)); } \
   WARPGRAIN_INLINE float16 f(float16 x, float16 y) { return (float16)(f(x.lo, y.lo), f(x.hi, y.hi)); }
 
 #define WARPGRAIN_FUNCTION_1(f, expression)                            \
@@ -35,8 +35,8 @@ WARPGRAIN_FUNCTION_1(native_sin, __nvvm_sin_approx_f(x))
 WARPGRAIN_FUNCTION_1(native_cos, __nvvm_cos_approx_f(x))
 WARPGRAIN_FUNCTION_1(native_tan, __nvvm_div_approx_f(__nvvm_sin_approx_f(x), __nvvm_cos_approx_f(x)))
 WARPGRAIN_FUNCTION_1(native_exp2, __nvvm_ex2_approx_f(x))
-WARPGRAIN_FUNCTION_1(native_exp, __nvvm_ex2_approx_f(x * M_LOG2E_F))
-WARPGRAIN_FUNCTION_1(native_exp10, __nvvm_ex2_approx_f(x * (M_LN10_F * M_LOG2E_F)))
+WARPGRAIN_FUNCTION_1(native_exp, __nvvm_ex2_approx_f(x* M_LOG2E_F))
+WARPGRAIN_FUNCTION_1(native_exp10, __nvvm_ex2_approx_f(x*(M_LN10_F* M_LOG2E_F)))
 WARPGRAIN_FUNCTION_1(native_log2, __nvvm_lg2_approx_f(x))
 WARPGRAIN_FUNCTION_1(native_log, __nvvm_lg2_approx_f(x) * M_LN2_F)
 WARPGRAIN_FUNCTION_1(native_log10, __nvvm_lg2_approx_f(x) * (M_LN2_F * M_LOG10E_F))
@@ -44,7 +44,7 @@ WARPGRAIN_FUNCTION_1(native_recip, warpgrain_rcp(x))
 WARPGRAIN_FUNCTION_1(native_sqrt, __nvvm_sqrt_approx_f(x))
 WARPGRAIN_FUNCTION_1(native_rsqrt, __nvvm_rsqrt_approx_f(x))
 WARPGRAIN_FUNCTION_2(native_divide, __nvvm_div_approx_f(x, y))
-WARPGRAIN_FUNCTION_2(native_powr, __nvvm_ex2_approx_f(y * __nvvm_lg2_approx_f(x)))
+WARPGRAIN_FUNCTION_2(native_powr, __nvvm_ex2_approx_f(y* __nvvm_lg2_approx_f(x)))
 
 #define native_sin(...) warpgrain_native_sin(__VA_ARGS__)
 #define native_cos(...) warpgrain_native_cos(__VA_ARGS__)

@@ -162,7 +162,8 @@ TEST(Parser, RefusesByLine) {
             "k.cl, PTX line 1: 'kernel'; expected '.version', which PTX begins with");
   EXPECT_EQ(refused(".entry k() { ret }"), "m.ptx, PTX line 4: '}'; expected an operand");
   EXPECT_THAT(refused(".entry k() { ret;"), HasSubstr("the body of 'k' opens here"));
-  EXPECT_THAT(refused(".entry k() {\n.reg .b32 %r<99999999>; }"), HasSubstr("m.ptx, PTX line 5: 99999999 registers"));
+  EXPECT_THAT(refused(".entry k() {\n.reg .b32 %r<99999999>; }"),
+              HasSubstr("m.ptx, PTX line 5: 99999999 registers"));
   EXPECT_THAT(refused(".entry k() { .reg .b32 %a, %a; }"), HasSubstr("'%a' is declared twice"));
   EXPECT_THAT(refused(".entry k() { a: a: ret; }"), HasSubstr("label 'a' stands twice"));
   EXPECT_THAT(refused(".entry k(.param .u32 .align 3 x) { ret; }"), HasSubstr("a power of two"));
