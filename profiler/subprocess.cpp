@@ -56,6 +56,7 @@ ProcessResult run_process(const std::vector<std::string>& arguments) {
   actions.open(STDERR_FILENO, errors, O_WRONLY | O_CREAT);
 
   std::vector<char*> argv;
+  argv.reserve(arguments.size() + 1);
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
   pid_t process = 0;
@@ -76,7 +77,7 @@ std::filesystem::path find_program(const std::string& name) {
   const char* const folders = std::getenv("PATH");
   std::istringstream list(folders ? folders : "");
   for (std::string folder; std::getline(list, folder, ':');) {
-    const std::filesystem::path candidate = std::filesystem::path(folder) / name;
+    std::filesystem::path candidate = std::filesystem::path(folder) / name;
     if (access(candidate.c_str(), X_OK) == 0 && std::filesystem::is_regular_file(candidate)) return candidate;
   }
   return {};
