@@ -26,6 +26,7 @@ class FiberPool {
   void start(std::size_t index, LaneFunction function, LaneContext* context);
   // Runs the lane until it waits at a barrier (true) or ends (false).
   bool resume(std::size_t index);
+  bool waits(std::size_t index) const { return !fibers_[index].is_done; }
 
  private:
   struct Fiber {

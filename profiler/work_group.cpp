@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <fmt/format.h>
+#include <map>
 
 #include "core/error.hpp"
 #include "profiler/launch_check.hpp"
@@ -23,6 +24,7 @@ GroupRunner::GroupRunner(const TranslatedKernel& kernel, const LaunchShape& shap
                          std::span<const KernelArgument> arguments)
     : kernel_(kernel), shape_(shape), lanes_(shape.work_group_size()), traces_(shape.work_group_size()) {
   lay_out_parameters(arguments);
+  for (std::size_t i = 0; i < lanes_.size(); ++i) place_lane(i);
   // Behind the limits there is room for one pass over every block, as the loop checks need it.
   const KernelGraph& graph = kernel.graph;
   std::size_t accesses = 0;
@@ -52,6 +54,24 @@ void GroupRunner::lay_out_parameters(std::span<const KernelArgument> arguments) 
   }
 }
 
+void GroupRunner::place_lane(std::size_t index) {
+  LaneContext& lane = lanes_[index];
+  lane.parameters = parameters_.data();
+  lane.shared = shared_->bytes().data();
+  const auto linear = static_cast<std::uint32_t>(index);
+  const auto& local = shape_.local_size;
+  lane.tid[0] = linear % local[0];
+  lane.tid[1] = linear / local[0] % local[1];
+  lane.tid[2] = linear / local[0] / local[1];
+  const auto groups = shape_.group_count();
+  for (std::size_t d = 0; d < 3; ++d) {
+    lane.ntid[d] = local[d];
+    lane.nctaid[d] = static_cast<std::uint32_t>(groups[d]);
+  }
+  lane.linear_tid = linear;
+  lane.work_group_size = static_cast<std::uint32_t>(lanes_.size());
+}
+
 void GroupRunner::prepare_lane(std::size_t index, const std::array<std::uint64_t, 3>& group) {
   LaneContext& lane = lanes_[index];
   if (blocks_) {
@@ -64,22 +84,8 @@ void GroupRunner::prepare_lane(std::size_t index, const std::array<std::uint64_t
     lane.addresses_limit = lane.addresses + max_recorded;
     traces_[index].addresses = lane.addresses;
   }
-  lane.parameters = parameters_.data();
-  lane.shared = shared_->bytes().data();
   lane.status = LaneStatus::done;
-  const auto linear = static_cast<std::uint32_t>(index);
-  const auto& local = shape_.local_size;
-  lane.tid[0] = linear % local[0];
-  lane.tid[1] = linear / local[0] % local[1];
-  lane.tid[2] = linear / local[0] / local[1];
-  const auto groups = shape_.group_count();
-  for (std::size_t d = 0; d < 3; ++d) {
-    lane.ntid[d] = local[d];
-    lane.ctaid[d] = static_cast<std::uint32_t>(group[d]);
-    lane.nctaid[d] = static_cast<std::uint32_t>(groups[d]);
-  }
-  lane.linear_tid = linear;
-  lane.work_group_size = static_cast<std::uint32_t>(lanes_.size());
+  for (std::size_t d = 0; d < 3; ++d) lane.ctaid[d] = static_cast<std::uint32_t>(group[d]);
 }
 
 std::span<const LaneTrace> GroupRunner::run(const std::array<std::uint64_t, 3>& group) {
@@ -91,7 +97,7 @@ std::span<const LaneTrace> GroupRunner::run(const std::array<std::uint64_t, 3>& 
   } else {
     for (LaneContext& lane : lanes_) {
       kernel_.lane(&lane);
-      if (lane.status != LaneStatus::done) check_status(lane, group);
+      if (lane.status != LaneStatus::done) refuse_status(lane, group);
     }
   }
   return traces_;
@@ -99,59 +105,54 @@ std::span<const LaneTrace> GroupRunner::run(const std::array<std::uint64_t, 3>& 
 
 void GroupRunner::run_with_barriers(const std::array<std::uint64_t, 3>& group) {
   for (std::size_t i = 0; i < lanes_.size(); ++i) fibers_->start(i, kernel_.lane, &lanes_[i]);
-  std::vector<bool> waits(lanes_.size());
-  for (bool any_waits = true; any_waits;) {
-    any_waits = false;
-    for (std::size_t i = 0; i < lanes_.size(); ++i) {
-      waits[i] = fibers_->resume(i);
-      any_waits |= waits[i];
-      if (!waits[i] && lanes_[i].status != LaneStatus::done) check_status(lanes_[i], group);
-    }
-    if (any_waits) check_barrier(waits, group);
+  while (run_to_barrier(group)) {
   }
 }
 
-void GroupRunner::check_status(const LaneContext& lane, const std::array<std::uint64_t, 3>& group) const {
+bool GroupRunner::run_to_barrier(const std::array<std::uint64_t, 3>& group) {
+  std::size_t waiting = 0;
+  std::uint32_t line = 0;
+  bool at_one_barrier = true;
+  for (std::size_t i = 0; i < lanes_.size(); ++i) {
+    if (!fibers_->resume(i)) {
+      if (lanes_[i].status != LaneStatus::done) refuse_status(lanes_[i], group);
+    } else if (waiting++ == 0) {
+      line = lanes_[i].line;
+    } else {
+      at_one_barrier &= lanes_[i].line == line;
+    }
+  }
+  if (waiting > 0 && (waiting < lanes_.size() || !at_one_barrier)) refuse_divergence(group);
+  return waiting > 0;
+}
+
+void GroupRunner::refuse_status(const LaneContext& lane, const std::array<std::uint64_t, 3>& group) const {
   const std::string where =
       fmt::format("{}, {}, work-item {}", kernel_.place(), name_of(group), lane.linear_tid);
   const std::string source = kernel_.source_of(lane.line);
-  switch (lane.status) {
-    case LaneStatus::done:
-      return;
-    case LaneStatus::trace_exhausted:
-      throw_input_error(where, fmt::format("its trace is full in the loop at {}", source),
-                        fmt::format("an end within {} recorded blocks or memory accesses", max_recorded));
-    case LaneStatus::endless_loop:
-      throw_input_error(where, fmt::format("it entered the loop at {}, which nothing leaves", source),
-                        "an end");
-    case LaneStatus::trapped:
-      throw_input_error(where, fmt::format("it ran the trap at {}", source), "an end");
-  }
+  if (lane.status == LaneStatus::trapped)
+    throw_input_error(where, fmt::format("it ran the trap at {}", source), "an end");
+  if (lane.status == LaneStatus::endless_loop)
+    throw_input_error(where, fmt::format("it entered the loop at {}, which nothing leaves", source),
+                      "an end");
+  throw_input_error(where, fmt::format("its trace is full in the loop at {}", source),
+                    fmt::format("an end within {} recorded blocks or memory accesses", max_recorded));
 }
 
-void GroupRunner::check_barrier(const std::vector<bool>& waits,
-                                const std::array<std::uint64_t, 3>& group) const {
-  std::size_t waiting = 0;
-  std::size_t elsewhere = 0;
-  std::uint32_t line = 0;
-  std::uint32_t other_line = 0;
+void GroupRunner::refuse_divergence(const std::array<std::uint64_t, 3>& group) const {
+  std::map<std::uint32_t, std::size_t> waiting_at;  // PTX line -> work-items
+  std::size_t ended = 0;
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
-    if (!waits[i]) continue;
-    if (line == 0) line = lanes_[i].line;
-    if (lanes_[i].line != line) {
-      other_line = lanes_[i].line;
-      ++elsewhere;
-    } else {
-      ++waiting;
-    }
+    if (fibers_->waits(i))
+      ++waiting_at[lanes_[i].line];
+    else
+      ++ended;
   }
-  if (waiting == lanes_.size()) return;
-  std::string what = fmt::format("barrier divergence in {}: {} work-items wait at {}", name_of(group),
-                                 waiting, kernel_.source_of(line));
-  if (elsewhere > 0) what += fmt::format(", {} at {}", elsewhere, kernel_.source_of(other_line));
-  if (const std::size_t ended = lanes_.size() - waiting - elsewhere; ended > 0)
-    what += fmt::format(", {} have ended", ended);
-  throw_input_error(kernel_.place(), what, "every work-item of the group at the same barrier");
+  std::string what = fmt::format("barrier divergence in {}:", name_of(group));
+  for (const auto& [line, count] : waiting_at)
+    what += fmt::format(" {} work-items wait at {},", count, kernel_.source_of(line));
+  throw_input_error(kernel_.place(), fmt::format("{} {} have ended", what, ended),
+                    "every work-item of the group at the same barrier");
 }
 
 void GroupRunner::release_long_traces() {

@@ -26,11 +26,14 @@ class GroupRunner final : public WorkGroupRunner {
 
  private:
   void lay_out_parameters(std::span<const KernelArgument> arguments);
+  void place_lane(std::size_t lane);  // what is the same in every work-group
   void prepare_lane(std::size_t lane, const std::array<std::uint64_t, 3>& group);
   void run_with_barriers(const std::array<std::uint64_t, 3>& group);
-  void check_status(const LaneContext& lane, const std::array<std::uint64_t, 3>& group) const;
-  // Throws for lanes that have ended or wait elsewhere while others wait.
-  void check_barrier(const std::vector<bool>& waits, const std::array<std::uint64_t, 3>& group) const;
+  // Runs every lane to the next barrier; false when all have ended. Throws for lanes that have ended or wait
+  // elsewhere while others wait.
+  bool run_to_barrier(const std::array<std::uint64_t, 3>& group);
+  [[noreturn]] void refuse_status(const LaneContext& lane, const std::array<std::uint64_t, 3>& group) const;
+  [[noreturn]] void refuse_divergence(const std::array<std::uint64_t, 3>& group) const;
   void release_long_traces();
 
   const TranslatedKernel& kernel_;
