@@ -30,7 +30,7 @@ void FiberPool::start(std::size_t index, LaneFunction function, LaneContext* lan
   fiber.context = lane;
   fiber.is_done = false;
   lane->fiber = &fiber;
-  lane->wait_at_barrier = wait;
+  lane->wait = wait;
   // Stacks are whole pages apart: frames at the same offset in each would fight for the same cache sets.
   const std::size_t stagger = index % 16 * 192;
   fiber.self = context::make_fcontext(static_cast<std::byte*>(fiber.stack.sp) - stagger,

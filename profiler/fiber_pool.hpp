@@ -1,5 +1,5 @@
 #pragma once
-// The lanes of a work-group with barriers: each runs on a stack of its own until it waits or ends.
+// The lanes of a work-group that wait for each other: each runs on a stack of its own until it waits or ends.
 //
 // Boost.Context's switches are used below its fiber class: a lane that never comes back from a diverged
 // barrier is dropped with its stack, where the class would unwind it by an exception through translated code,
@@ -24,9 +24,8 @@ class FiberPool {
 
   // Makes lane `index` ready to run `function(context)`. Its way to wait is put into the context.
   void start(std::size_t index, LaneFunction function, LaneContext* context);
-  // Runs the lane until it waits at a barrier (true) or ends (false).
+  // Runs the lane until it waits (true) or ends (false).
   bool resume(std::size_t index);
-  bool waits(std::size_t index) const { return !fibers_[index].is_done; }
 
  private:
   struct Fiber {

@@ -82,6 +82,7 @@ struct KernelGraph {
   std::vector<BasicBlock> blocks;  // [0] is the entry; in the order of the PTX text
   std::uint32_t shared_bytes = 0;  // static shared (__local) memory of a work-group
   bool has_barrier = false;
+  bool has_warp_level = false;  // operations between the lanes of a warp
 };
 
 }  // namespace warpgrain::profiler

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "profiler/rendezvous.hpp"
 #include "profiler/trace.hpp"
 
 namespace warpgrain::profiler {
@@ -22,9 +23,10 @@ struct LaneContext {
   const std::uint64_t* addresses_limit = nullptr;
   const std::byte* parameters = nullptr;  // as the kernel's signature lays them out
   std::byte* shared = nullptr;            // the work-group's, in the lowest 4 GiB
-  // Waits at the barrier that stands in `line` of the PTX until every lane of the work-group does.
-  void (*wait_at_barrier)(LaneContext*, std::uint32_t line) = nullptr;
-  void* fiber = nullptr;  // what the lane runs on, for wait_at_barrier
+  // Waits, at `line` of the PTX, for the answer to `rendezvous`.
+  void (*wait)(LaneContext*, std::uint32_t line) = nullptr;
+  void* fiber = nullptr;  // what the lane runs on, for `wait`
+  Rendezvous rendezvous;
   LaneStatus status = LaneStatus::done;
   std::uint32_t line = 0;  // of the PTX, where a status other than done arose or the lane waits
   std::uint32_t tid[3] = {};

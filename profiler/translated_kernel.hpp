@@ -20,6 +20,7 @@ struct TranslatedKernel {
   std::vector<KernelParameter> parameters;
   std::vector<std::uint32_t> parameter_offsets;  // [parameters]
   std::uint32_t parameter_bytes = 0;
+  bool is_opencl = false;         // whose rules for barriers hold
   std::uint32_t local_bytes = 0;  // .local memory of a lane, on its stack
   std::optional<std::array<std::uint32_t, 3>> required_local_size;
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstring>
 #include <fmt/format.h>
-#include <map>
 
 #include "core/error.hpp"
 #include "profiler/launch_check.hpp"
@@ -33,7 +32,8 @@ GroupRunner::GroupRunner(const TranslatedKernel& kernel, const LaunchShape& shap
     blocks_.emplace(lanes_.size(), (max_recorded + graph.blocks.size() + 1) * sizeof(BlockIndex));
   if (kernel.mode == TraceMode::blocks_and_addresses)
     addresses_.emplace(lanes_.size(), (max_recorded + accesses) * sizeof(std::uint64_t));
-  if (graph.has_barrier) fibers_.emplace(lanes_.size(), base_stack_bytes + kernel.local_bytes);
+  if (graph.has_barrier || graph.has_warp_level)
+    scheduler_.emplace(kernel, lanes_.size(), base_stack_bytes + kernel.local_bytes);
 }
 
 void GroupRunner::lay_out_parameters(std::span<const KernelArgument> arguments) {
@@ -92,8 +92,8 @@ std::span<const LaneTrace> GroupRunner::run(const std::array<std::uint64_t, 3>& 
   release_long_traces();
   std::ranges::fill(shared_->bytes(), std::byte{0});
   for (std::size_t i = 0; i < lanes_.size(); ++i) prepare_lane(i, group);
-  if (fibers_) {
-    run_with_barriers(group);
+  if (scheduler_) {
+    if (const LaneContext* stopped = scheduler_->run(lanes_, name_of(group))) refuse_status(*stopped, group);
   } else {
     for (LaneContext& lane : lanes_) {
       kernel_.lane(&lane);
@@ -101,29 +101,6 @@ std::span<const LaneTrace> GroupRunner::run(const std::array<std::uint64_t, 3>& 
     }
   }
   return traces_;
-}
-
-void GroupRunner::run_with_barriers(const std::array<std::uint64_t, 3>& group) {
-  for (std::size_t i = 0; i < lanes_.size(); ++i) fibers_->start(i, kernel_.lane, &lanes_[i]);
-  while (run_to_barrier(group)) {
-  }
-}
-
-bool GroupRunner::run_to_barrier(const std::array<std::uint64_t, 3>& group) {
-  std::size_t waiting = 0;
-  std::uint32_t line = 0;
-  bool at_one_barrier = true;
-  for (std::size_t i = 0; i < lanes_.size(); ++i) {
-    if (!fibers_->resume(i)) {
-      if (lanes_[i].status != LaneStatus::done) refuse_status(lanes_[i], group);
-    } else if (waiting++ == 0) {
-      line = lanes_[i].line;
-    } else {
-      at_one_barrier &= lanes_[i].line == line;
-    }
-  }
-  if (waiting > 0 && (waiting < lanes_.size() || !at_one_barrier)) refuse_divergence(group);
-  return waiting > 0;
 }
 
 void GroupRunner::refuse_status(const LaneContext& lane, const std::array<std::uint64_t, 3>& group) const {
@@ -137,22 +114,6 @@ void GroupRunner::refuse_status(const LaneContext& lane, const std::array<std::u
                       "an end");
   throw_input_error(where, fmt::format("its trace is full in the loop at {}", source),
                     fmt::format("an end within {} recorded blocks or memory accesses", max_recorded));
-}
-
-void GroupRunner::refuse_divergence(const std::array<std::uint64_t, 3>& group) const {
-  std::map<std::uint32_t, std::size_t> waiting_at;  // PTX line -> work-items
-  std::size_t ended = 0;
-  for (std::size_t i = 0; i < lanes_.size(); ++i) {
-    if (fibers_->waits(i))
-      ++waiting_at[lanes_[i].line];
-    else
-      ++ended;
-  }
-  std::string what = fmt::format("barrier divergence in {}:", name_of(group));
-  for (const auto& [line, count] : waiting_at)
-    what += fmt::format(" {} work-items wait at {},", count, kernel_.source_of(line));
-  throw_input_error(kernel_.place(), fmt::format("{} {} have ended", what, ended),
-                    "every work-item of the group at the same barrier");
 }
 
 void GroupRunner::release_long_traces() {

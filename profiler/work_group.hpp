@@ -1,12 +1,12 @@
 #pragma once
-// Runs the lanes of a work-group one after another, in turns where the kernel has barriers.
+// Runs the lanes of a work-group one after another, in turns where they wait for each other.
 
 #include <cstddef>
 #include <optional>
 #include <vector>
 
-#include "profiler/fiber_pool.hpp"
 #include "profiler/lane_buffers.hpp"
+#include "profiler/lane_scheduler.hpp"
 #include "profiler/shared_memory.hpp"
 #include "profiler/translated_kernel.hpp"
 
@@ -28,12 +28,7 @@ class GroupRunner final : public WorkGroupRunner {
   void lay_out_parameters(std::span<const KernelArgument> arguments);
   void place_lane(std::size_t lane);  // what is the same in every work-group
   void prepare_lane(std::size_t lane, const std::array<std::uint64_t, 3>& group);
-  void run_with_barriers(const std::array<std::uint64_t, 3>& group);
-  // Runs every lane to the next barrier; false when all have ended. Throws for lanes that have ended or wait
-  // elsewhere while others wait.
-  bool run_to_barrier(const std::array<std::uint64_t, 3>& group);
   [[noreturn]] void refuse_status(const LaneContext& lane, const std::array<std::uint64_t, 3>& group) const;
-  [[noreturn]] void refuse_divergence(const std::array<std::uint64_t, 3>& group) const;
   void release_long_traces();
 
   const TranslatedKernel& kernel_;
@@ -44,7 +39,7 @@ class GroupRunner final : public WorkGroupRunner {
   std::vector<LaneTrace> traces_;
   std::optional<LaneBuffers> blocks_;
   std::optional<LaneBuffers> addresses_;
-  std::optional<FiberPool> fibers_;
+  std::optional<LaneScheduler> scheduler_;  // where lanes wait for each other
 };
 
 }  // namespace warpgrain::profiler

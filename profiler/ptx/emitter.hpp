@@ -70,6 +70,8 @@ class Emitter {
 
   // The place of the next traced access in its block; the translator sets it to 0 at a block's start.
   std::uint32_t access_slot = 0;
+  // The block that is being translated, by its index in the graph.
+  std::uint32_t block = 0;
 
  private:
   struct Register {

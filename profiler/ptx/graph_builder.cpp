@@ -35,6 +35,7 @@ KernelGraph build_graph(const Module& module, const Function& kernel, std::span<
         basic_block.accesses.push_back({static_cast<std::uint32_t>(basic_block.instructions.size()),
                                         facts.instruction_class, facts.accessed_bytes});
       if (facts.instruction_class == InstructionClass::barrier) graph.has_barrier = true;
+      if (facts.instruction_class == InstructionClass::warp_level) graph.has_warp_level = true;
       basic_block.instructions.push_back(
           {facts.instruction_class, facts.sfu_operations, located(statement.location), statement.text});
     }

@@ -98,6 +98,12 @@ const std::unordered_map<std::string_view, InstructionFacts>& fixed_facts() {
       {"exit", {Class::exit}},
       {"bar", {Class::barrier}},
       {"barrier", {Class::barrier}},
+      {"shfl", {Class::warp_level}},
+      {"vote", {Class::warp_level}},
+      {"match", {Class::warp_level}},
+      {"activemask", {Class::warp_level}},
+      {"elect", {Class::warp_level}},
+      {"redux", {Class::warp_level}},
       {"membar", {Class::fence}},
       {"fence", {Class::fence}},
       {"trap", {Class::other}},
@@ -114,6 +120,7 @@ InstructionFacts instruction_facts(const Statement& s) {
   if (s.opcode == "st") return memory_facts(s, false);
   if (s.opcode == "atom" || s.opcode == "red")
     return {Class::atomic, 0, static_cast<std::uint8_t>(last_type(s).bytes())};
+  if (s.opcode == "bar" && has(s, "warp")) return {Class::warp_level};
   if (s.opcode == "cvt") return {Class::conversion, conversion_operations(s)};
   if (s.opcode == "div" || s.opcode == "rem") return division_facts(s);
   if (const auto found = fixed_facts().find(s.opcode); found != fixed_facts().end()) return found->second;

@@ -88,6 +88,8 @@ struct Function {
 
 struct Module {
   std::map<std::uint32_t, std::string> files;  // .file
+  // `.target ..., texmode_independent`: how OpenCL's drivers want it, and CUDA's never do.
+  bool is_opencl = false;
   std::vector<Variable> variables;
   std::vector<Function> functions;
 

@@ -28,7 +28,8 @@ class ModuleParser {
     if (name == "version") {
       cursor_.take();
     } else if (name == "target") {
-      while (cursor_.peek().kind == Token::Kind::identifier || cursor_.peek().is(',')) cursor_.take();
+      while (cursor_.peek().kind == Token::Kind::identifier || cursor_.peek().is(','))
+        module_.is_opencl |= cursor_.take().text == "texmode_independent";
     } else if (name == "address_size") {
       if (cursor_.expect_integer("64") != 64) cursor_.refuse("an address size other than 64", "64-bit PTX");
     } else if (name == "file") {

@@ -1,6 +1,5 @@
 #include "profiler/ptx/translator.hpp"
 
-#include <array>
 #include <cstddef>
 #include <fmt/format.h>
 
@@ -50,6 +49,7 @@ class Translator {
     const Block& block = blocks_[index];
     ir_.SetInsertPoint(starts_[index]);
     emitter_.access_slot = 0;
+    emitter_.block = index;
     if (block.loop_header) emit_loop_check(index);
     if (block.recorded) trace_.record_block(index);
     const bool has_terminator = block.first < block.last && is_terminator(kernel_.statements[block.last - 1]);
@@ -120,36 +120,16 @@ class Translator {
 
   void emit_instruction(const Statement& statement) {
     if (statement.opcode == "call") return;  // its function's blocks follow
-    if (statement.opcode == "bar" || statement.opcode == "barrier") {
-      emit_barrier(statement);
-    } else {
-      find_instruction(statement)(emitter_);
-    }
+    find_instruction(statement)(emitter_);
     emitter_.end();
   }
 
   InstructionEmitter find_instruction(const Statement& statement) const {
     for (const InstructionTable* table :
          {&arithmetic_instructions(), &float_instructions(), &bit_instructions(), &compare_instructions(),
-          &move_instructions(), &memory_instructions()})
+          &move_instructions(), &memory_instructions(), &barrier_instructions(), &warp_instructions()})
       if (const auto found = table->find(statement.opcode); found != table->end()) return found->second;
-    static constexpr std::array<std::string_view, 6> warp_level{"shfl",       "vote",  "match",
-                                                                "activemask", "redux", "elect"};
-    if (std::find(warp_level.begin(), warp_level.end(), statement.opcode) != warp_level.end())
-      emitter_.refuse("no exchange between the lanes of a warp: lanes run one after another");
     emitter_.refuse();
-  }
-
-  // bar.sync 0: all lanes of the work-group. Named barriers of fewer lanes are not OpenCL's.
-  void emit_barrier(const Statement& statement) {
-    emitter_.modifiers().take("cta");
-    const bool syncs = emitter_.modifiers().take("sync");
-    emitter_.modifiers().take("aligned");
-    if (!syncs || statement.operands.size() != 1 || statement.guard)
-      emitter_.refuse("bar.sync of the whole work-group");
-    llvm::Value* wait = emitter_.context_field(offsetof(LaneContext, wait_at_barrier), ir_.getPtrTy());
-    auto* type = llvm::FunctionType::get(ir_.getVoidTy(), {ir_.getPtrTy(), ir_.getInt32Ty()}, false);
-    ir_.CreateCall(type, wait, {lane_->getArg(0), ir_.getInt32(statement.line)});
   }
 
   llvm::Value* read_guard(const Statement& statement) {
