@@ -44,17 +44,32 @@ function(warpgrain_embed target)
   target_sources(${target} PRIVATE "${out}")
 endfunction()
 
-# warpgrain_test(FOLDER [LINK target...]): one test program of tests/FOLDER/*.cpp, its cases known to CTest.
+# warpgrain_embed_bytes(TARGET HEADER H NAMESPACE N FUNCTION F FILE path): the same for one file of any bytes, as
+# `std::string_view F()`.
+function(warpgrain_embed_bytes target)
+  cmake_parse_arguments(ARG "" "HEADER;NAMESPACE;FUNCTION;FILE" "" ${ARGN})
+  set(script "${PROJECT_SOURCE_DIR}/cmake/EmbedBytes.cmake")
+  set(out "${CMAKE_CURRENT_BINARY_DIR}/${ARG_FUNCTION}.cpp")
+  add_custom_command(OUTPUT "${out}"
+    COMMAND "${CMAKE_COMMAND}" "-DFILE=${ARG_FILE}" "-DOUT=${out}" "-DHEADER=${ARG_HEADER}" "-DNAMESPACE=${ARG_NAMESPACE}"
+      "-DFUNCTION=${ARG_FUNCTION}" -P "${script}"
+    DEPENDS "${ARG_FILE}" "${script}" VERBATIM)
+  target_sources(${target} PRIVATE "${out}")
+endfunction()
+
+# warpgrain_test(FOLDER [LINK target...]): one test program of tests/FOLDER/*.cpp, its cases known to CTest. Of a folder
+# A/B the program is test_A_B.
 function(warpgrain_test folder)
   cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp")
   if(NOT sources)
     return()
   endif()
-  add_executable(test_${folder} ${sources})
-  target_link_libraries(test_${folder} PRIVATE warpgrain_options GTest::gtest_main GTest::gmock ${ARG_LINK})
+  string(REPLACE "/" "_" program "test_${folder}")
+  add_executable(${program} ${sources})
+  target_link_libraries(${program} PRIVATE warpgrain_options GTest::gtest_main GTest::gmock ${ARG_LINK})
   # Tests spend their time in the libraries, builds theirs in the tests.
-  target_compile_options(test_${folder} PRIVATE $<$<CONFIG:Release>:-O1>)
+  target_compile_options(${program} PRIVATE $<$<CONFIG:Release>:-O1>)
   # Only files that name a path get it: the others are the same in every checkout, which is what ccache asks for.
   foreach(source IN LISTS sources)
     file(STRINGS "${source}" uses_paths REGEX "WARPGRAIN_(SOURCE|TEST_DATA)_DIR" LIMIT_COUNT 1)
@@ -63,5 +78,5 @@ function(warpgrain_test folder)
         "WARPGRAIN_SOURCE_DIR=\"${PROJECT_SOURCE_DIR}\";WARPGRAIN_TEST_DATA_DIR=\"${CMAKE_CURRENT_SOURCE_DIR}/${folder}/data\"")
     endif()
   endforeach()
-  gtest_discover_tests(test_${folder} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
+  gtest_discover_tests(${program} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
 endfunction()

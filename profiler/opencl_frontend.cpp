@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "profiler/build_options.hpp"
+#include "profiler/embedded_builtins.hpp"
 #include "profiler/embedded_prelude.hpp"
 #include "profiler/kernel_declaration.hpp"
 #include "profiler/subprocess.hpp"
@@ -55,14 +56,16 @@ const std::string& builtin_library() {
   return found;
 }
 
+constexpr const char* builtins_name = "builtins.bc";
+
 // The pinned pipeline. Loops are unrolled whole where their count is a small constant, which frees arrays
 // from local memory, and in no other way: copies of a loop's body would part what the source has as one
 // branch.
 std::vector<std::string> pinned_options(bool exact_division) {
   return {"-x", "cl", "-cl-std=CL1.2", "-target", "nvptx64-nvidia-nvcl", "-Xclang", "-target-cpu", "-Xclang",
-          "sm_70", "-Xclang", "-mlink-builtin-bitcode", "-Xclang", builtin_library(), "-Wno-linker-warnings",
-          "-O2", "-gdwarf-4", "-gline-directives-only", "-fdebug-compilation-dir=.", "-fno-crash-diagnostics",
-          "-mllvm", "-unroll-runtime=false", "-mllvm", "-unroll-allow-partial=false",
+          "sm_70", "-Wno-linker-warnings", "-O2", "-gdwarf-4", "-gline-directives-only",
+          "-fdebug-compilation-dir=.", "-fno-crash-diagnostics", "-mllvm", "-unroll-runtime=false", "-mllvm",
+          "-unroll-allow-partial=false",
           // Devices' compilers put every function in place.
           "-mllvm", "-inline-threshold=1000000",
           // OpenCL's accuracy of float division, 2.5 ulp, lets it be div.full; else IEEE's.
@@ -102,9 +105,15 @@ void append_user_options(std::vector<std::string>& options, const std::vector<st
   options.insert(options.end(), user_options.begin(), user_options.end());
 }
 
+// Ours come first: what they define is not taken from libclc.
+std::vector<std::string> library_options(const std::string& our_builtins) {
+  const std::string option = "-mlink-builtin-bitcode";
+  return {"-Xclang", option, "-Xclang", our_builtins, "-Xclang", option, "-Xclang", builtin_library()};
+}
+
 // What clang makes of the text, with the prelude before it.
 std::string run_clang(std::string_view source, std::string_view source_name,
-                      const std::vector<std::string>& options) {
+                      const std::vector<std::string>& options, bool with_libraries) {
   const TemporaryFolder folder;
   const std::string source_file = folder.path() / "kernel.cl";
   const std::string prelude_file = folder.path() / "prelude.cl";
@@ -113,6 +122,12 @@ std::string run_clang(std::string_view source, std::string_view source_name,
   write_text(prelude_file, embedded_preludes()[0].text);
   std::vector<std::string> arguments{compiler().program};
   arguments.insert(arguments.end(), options.begin(), options.end());
+  if (with_libraries) {
+    const std::string builtins_file = folder.path() / builtins_name;
+    write_text(builtins_file, embedded_builtins());
+    const std::vector<std::string> libraries = library_options(builtins_file);
+    arguments.insert(arguments.end(), libraries.begin(), libraries.end());
+  }
   arguments.insert(arguments.end(), {"-include", prelude_file, "-o", output_file, source_file});
   const ProcessResult result = run_process(arguments);
   if (result.exit_status != 0)
@@ -132,9 +147,10 @@ CompiledPtx compile_opencl(std::string_view source, std::string_view source_name
   append_user_options(options, user_options, source_name);
 
   CompiledPtx compiled;
-  compiled.ptx = run_clang(source, source_name, options);
+  compiled.ptx = run_clang(source, source_name, options, true);
   compiled.compiler = compiler().version;
-  compiled.command = fmt::format("clang {} -include opencl_prelude.cl", fmt::join(options, " "));
+  compiled.command = fmt::format("clang {} {} -include opencl_prelude.cl", fmt::join(options, " "),
+                                 fmt::join(library_options(builtins_name), " "));
   return compiled;
 }
 
@@ -153,7 +169,7 @@ std::vector<ParameterDeclaration> declared_parameters(std::string_view source, s
                                    "-emit-llvm",
                                    "-c"};
   append_user_options(options, split_build_options(build_options), source_name);
-  return parameters_in_bitcode(run_clang(source, source_name, options), kernel);
+  return parameters_in_bitcode(run_clang(source, source_name, options, false), kernel);
 }
 
 }  // namespace warpgrain::profiler

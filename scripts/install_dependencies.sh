@@ -7,7 +7,7 @@ packages=(
   llvm-15-dev clang-15 libclc-15 libclc-15-dev
   libboost-context-dev libeigen3-dev nlohmann-json3-dev libcli11-dev libfmt-dev
   ocl-icd-opencl-dev opencl-c-headers opencl-clhpp-headers pocl-opencl-icd
-  libgtest-dev libgmock-dev libbenchmark-dev
+  libgtest-dev libgmock-dev libbenchmark-dev libmpfr-dev
   python3-jsonschema
 )
 missing=()
