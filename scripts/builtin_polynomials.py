@@ -99,12 +99,14 @@ def main():
                 parts.append(text_of(name, what, g, interval, degree, is_double))
     print('\n\n'.join(parts))
     print('\n// 64 zero bits, then the bits of 2 / pi behind the point, highest first.')
+    print('// clang-format off')
     print('constant ulong warpgrain_two_over_pi[] = {0,')
     mp.dps = 450
     bits = int(mp.floor(2 / pi * mpf(2)**(64 * 22)))
     words = [f'0x{bits >> (64 * (21 - k)) & (2**64 - 1):016x}UL' for k in range(22)]
     for k in range(0, 22, 4):
         print('    ' + ', '.join(words[k:k + 4]) + ('};' if k + 4 >= 22 else ','))
+    print('// clang-format on')
 
 
 main()

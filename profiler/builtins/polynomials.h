@@ -347,6 +347,7 @@ WARPGRAIN_INLINE double warpgrain_log_stirling_polynomial(double t) {
 }
 
 // 64 zero bits, then the bits of 2 / pi behind the point, highest first.
+// clang-format off
 constant ulong warpgrain_two_over_pi[] = {0,
     0xa2f9836e4e441529UL, 0xfc2757d1f534ddc0UL, 0xdb6295993c439041UL, 0xfe5163abdebbc561UL,
     0xb7246e3a424dd2e0UL, 0x06492eea09d1921cUL, 0xfe1deb1cb129a73eUL, 0xe88235f52ebb4484UL,
@@ -354,3 +355,4 @@ constant ulong warpgrain_two_over_pi[] = {0,
     0xef2f118b5a0a6d1fUL, 0x6d367ecf27cb09b7UL, 0x4f463f669e5fea2dUL, 0x7527bac7ebe5f17bUL,
     0x3d0739f78a5292eaUL, 0x6bfb5fb11f8d5d08UL, 0x56033046fc7b6babUL, 0xf0cfbc209af4361dUL,
     0xa9e391615ee61b08UL, 0x6599855f14a06840UL};
+// clang-format on
