@@ -30,6 +30,8 @@ class WorkGroupRunner {
   // Runs work-group `group` to its end. The traces, [work_group_size] in order of the linear local id, stay
   // valid until the next call. Throws InputError for barrier divergence and for an exhausted trace.
   virtual std::span<const LaneTrace> run(const std::array<std::uint64_t, 3>& group) = 0;
+  // What the groups since the last call printed, in the order in which their work-items ran.
+  virtual std::string take_printed() = 0;
 };
 
 class Executable {

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "profiler/directed_rounding.hpp"
+#include "profiler/printf_function.hpp"
 
 namespace warpgrain::profiler {
 namespace {
@@ -43,6 +44,8 @@ std::vector<HostFunction> host_functions() {
                                         host_function("warpgrain_ex2", host_ex2),
                                         host_function("warpgrain_lg2", host_lg2),
                                         host_function("warpgrain_tanh", host_tanh),
+                                        host_function("warpgrain_printf", print_arguments),
+                                        host_function("warpgrain_vprintf", print_packed),
                                         host_function("warpgrain_atomic_inc", atomic_increment),
                                         host_function("warpgrain_atomic_dec", atomic_decrement),
                                     });

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 #include "profiler/rendezvous.hpp"
 #include "profiler/trace.hpp"
@@ -25,7 +26,8 @@ struct LaneContext {
   std::byte* shared = nullptr;            // the work-group's, in the lowest 4 GiB
   // Waits, at `line` of the PTX, for the answer to `rendezvous`.
   void (*wait)(LaneContext*, std::uint32_t line) = nullptr;
-  void* fiber = nullptr;  // what the lane runs on, for `wait`
+  std::string* printed = nullptr;  // what printf appends to
+  void* fiber = nullptr;           // what the lane runs on, for `wait`
   Rendezvous rendezvous;
   LaneStatus status = LaneStatus::done;
   std::uint32_t line = 0;  // of the PTX, where a status other than done arose or the lane waits

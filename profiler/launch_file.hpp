@@ -68,7 +68,8 @@ struct LaunchFileResult {
   std::vector<DeviceBuffer> buffers;  // one an argument; empty for scalars and local memory
 };
 
-// Compiles and profiles the launch. Prints the `dump`ed arguments to `out` as Oclgrind prints them. Throws
+// Compiles and profiles the launch. Prints what the kernel prints to `out`, then the `dump`ed arguments as
+// Oclgrind prints them. Throws
 // InputError for a program that does not compile, a kernel that is not there, and arguments that do not fit
 // its parameters.
 LaunchFileResult profile_launch_file(const LaunchFile& file, const std::string& build_options,

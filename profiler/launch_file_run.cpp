@@ -56,6 +56,7 @@ LaunchFileResult profile_launch_file(const LaunchFile& file, const std::string& 
   for (const BoundArgument& argument : bound) arguments.push_back(argument.argument);
   ProfileOptions named_options = options;
   named_options.source_name = profile.source_name;
+  named_options.printed = &out;
   const Clock::time_point run_begin = Clock::now();
   profile.counters = profile_launch(*executable, file.shape, arguments, profile.source, named_options);
   profile.run_seconds = seconds_since(run_begin);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "core/error.hpp"
@@ -16,6 +17,7 @@
 #include "profiler/observers/lines.hpp"
 #include "profiler/observers/totals.hpp"
 #include "profiler/observers/warp_counters.hpp"
+#include "profiler/ordered_output.hpp"
 #include "profiler/source_lines.hpp"
 
 namespace warpgrain::profiler {
@@ -48,6 +50,7 @@ class Launch {
         options_(options),
         groups_(shape.group_count()) {
     n_groups_ = groups_[0] * groups_[1] * groups_[2];
+    if (options.printed != nullptr) printed_.emplace(*options.printed);
   }
 
   std::uint64_t n_groups() const { return n_groups_; }
@@ -60,7 +63,7 @@ class Launch {
         const std::uint64_t begin = next_group_.fetch_add(groups_a_chunk);
         if (begin >= n_groups_) return;
         const std::uint64_t end = std::min(begin + groups_a_chunk, n_groups_);
-        for (std::uint64_t group = begin; group < end; ++group) merge_group(*runner, group, merger);
+        for (std::uint64_t group = begin; group < end; ++group) run_group(*runner, group, merger);
         if (tells_progress && options_.progress)
           options_.progress(static_cast<double>(end) / static_cast<double>(n_groups_));
       }
@@ -76,6 +79,22 @@ class Launch {
   }
 
  private:
+  // What a group printed before it was stopped is kept, too.
+  void run_group(WorkGroupRunner& runner, std::uint64_t group, WarpMerger& merger) {
+    try {
+      merge_group(runner, group, merger);
+    } catch (const InputError&) {
+      write_printed(runner, group);
+      throw;
+    }
+    write_printed(runner, group);
+  }
+
+  void write_printed(WorkGroupRunner& runner, std::uint64_t group) {
+    std::string text = runner.take_printed();
+    if (printed_) printed_->write(group, std::move(text));
+  }
+
   void merge_group(WorkGroupRunner& runner, std::uint64_t group, WarpMerger& merger) const {
     std::span<const LaneTrace> lanes =
         runner.run({group % groups_[0], group / groups_[0] % groups_[1], group / groups_[0] / groups_[1]});
@@ -93,6 +112,7 @@ class Launch {
   std::array<std::uint64_t, 3> groups_;
   std::uint64_t n_groups_;
   std::atomic<std::uint64_t> next_group_ = 0;
+  std::optional<OrderedOutput> printed_;
   std::mutex error_mutex_;
   std::exception_ptr error_;
 };

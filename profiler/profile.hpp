@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <iosfwd>
 #include <span>
 #include <string>
 #include <string_view>
@@ -22,6 +23,8 @@ struct ProfileOptions {
   unsigned threads = 0;           // worker threads, 0 = all cores
   // Called now and then from one thread.
   std::function<void(double fraction)> progress = {};
+  // Takes what the kernel prints, in order of the work-groups; null: nobody reads it.
+  std::ostream* printed = nullptr;
   // What the compiler calls `source`, so that lines of other files get no labels from it.
   std::string source_name = {};
   // Sees every event, in order; then one thread runs, and slower.

@@ -58,6 +58,7 @@ void GroupRunner::place_lane(std::size_t index) {
   LaneContext& lane = lanes_[index];
   lane.parameters = parameters_.data();
   lane.shared = shared_->bytes().data();
+  lane.printed = &printed_;
   const auto linear = static_cast<std::uint32_t>(index);
   const auto& local = shape_.local_size;
   lane.tid[0] = linear % local[0];

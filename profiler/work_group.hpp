@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "profiler/lane_buffers.hpp"
@@ -23,6 +25,7 @@ class GroupRunner final : public WorkGroupRunner {
               std::span<const KernelArgument> arguments);
 
   std::span<const LaneTrace> run(const std::array<std::uint64_t, 3>& group) override;
+  std::string take_printed() override { return std::exchange(printed_, {}); }
 
  private:
   void lay_out_parameters(std::span<const KernelArgument> arguments);
@@ -35,6 +38,7 @@ class GroupRunner final : public WorkGroupRunner {
   LaunchShape shape_;
   std::vector<std::byte> parameters_;
   std::optional<SharedMemory> shared_;
+  std::string printed_;
   std::vector<LaneContext> lanes_;
   std::vector<LaneTrace> traces_;
   std::optional<LaneBuffers> blocks_;

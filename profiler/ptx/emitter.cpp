@@ -160,6 +160,11 @@ void Emitter::trace_access(llvm::Value* pointer) {
   ++access_slot;
 }
 
+llvm::AllocaInst* Emitter::scratch(llvm::Type* type) {
+  llvm::IRBuilder<> at_entry(entry_, entry_->begin());
+  return at_entry.CreateAlloca(type);
+}
+
 llvm::Value* Emitter::call_host(std::string_view name, llvm::Type* result,
                                 llvm::ArrayRef<llvm::Value*> arguments) {
   std::vector<llvm::Type*> types;

@@ -58,6 +58,8 @@ class Emitter {
   // Notes the address of an access in the lane's trace.
   void trace_access(llvm::Value* pointer);
 
+  // Memory that lasts as long as the lane runs, at the kernel's entry.
+  llvm::AllocaInst* scratch(llvm::Type* type);
   llvm::Value* call_host(std::string_view name, llvm::Type* result, llvm::ArrayRef<llvm::Value*> arguments);
   llvm::Value* call_intrinsic(llvm::Intrinsic::ID id, llvm::Type* type,
                               llvm::ArrayRef<llvm::Value*> arguments) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "profiler/ptx/emit_printf.hpp"
 #include "profiler/ptx/place.hpp"
 
 namespace warpgrain::profiler::ptx {
@@ -87,6 +88,7 @@ class Inliner {
   void expand(Statement& statement) {
     const Call call = read_call(statement);
     const Function* callee = module_.find_function(call.callee);
+    if (is_printf(call.callee) && !statement.guard) return flat_.statements.push_back(statement);
     if (!callee || !callee->has_body)
       throw_input_error(place(where_, module_, statement),
                         fmt::format("call of '{}', which has no body here", call.callee),

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "profiler/ptx/emit_printf.hpp"
 #include "profiler/ptx/emitter.hpp"
 #include "profiler/ptx/instructions.hpp"
 
@@ -119,7 +120,11 @@ class Translator {
   }
 
   void emit_instruction(const Statement& statement) {
-    if (statement.opcode == "call") return;  // its function's blocks follow
+    if (statement.opcode == "call") {
+      // Of other calls the function's blocks follow.
+      if (!statement.operands.empty()) emit_printf(emitter_);
+      return;
+    }
     find_instruction(statement)(emitter_);
     emitter_.end();
   }
