@@ -29,12 +29,32 @@ cl_platform_id find_platform() {
 }  // namespace
 
 struct Pocl::State {
+  std::string options;
   cl_device_id device = nullptr;
   cl_context context = nullptr;
   cl_command_queue queue = nullptr;
+  cl_program program = nullptr;  // the last one that was built
+  std::string source;
+
+  // Several kernels of one text are built once.
+  void build(const std::string& text) {
+    if (program != nullptr && source == text) return;
+    release_program();
+    cl_int status = 0;
+    const char* characters = text.c_str();
+    program = clCreateProgramWithSource(context, 1, &characters, nullptr, &status);
+    check(status, "clCreateProgramWithSource");
+    check(clBuildProgram(program, 1, &device, options.c_str(), nullptr, nullptr), "clBuildProgram");
+    source = text;
+  }
+  void release_program() {
+    if (program != nullptr) clReleaseProgram(program);
+    program = nullptr;
+  }
 };
 
-Pocl::Pocl() : state_(std::make_unique<State>()) {
+Pocl::Pocl(std::string options) : state_(std::make_unique<State>()) {
+  state_->options = std::move(options);
   check(clGetDeviceIDs(find_platform(), CL_DEVICE_TYPE_ALL, 1, &state_->device, nullptr), "clGetDeviceIDs");
   cl_int status = 0;
   state_->context = clCreateContext(nullptr, 1, &state_->device, nullptr, nullptr, &status);
@@ -44,18 +64,16 @@ Pocl::Pocl() : state_(std::make_unique<State>()) {
 }
 
 Pocl::~Pocl() {
+  state_->release_program();
   clReleaseCommandQueue(state_->queue);
   clReleaseContext(state_->context);
 }
 
 void Pocl::run(const std::string& source, const std::string& kernel_name, const LaunchShape& shape,
                const std::vector<KernelArgument>& arguments) {
+  state_->build(source);
   cl_int status = 0;
-  const char* text = source.c_str();
-  cl_program program = clCreateProgramWithSource(state_->context, 1, &text, nullptr, &status);
-  check(status, "clCreateProgramWithSource");
-  check(clBuildProgram(program, 1, &state_->device, "-cl-std=CL1.2", nullptr, nullptr), "clBuildProgram");
-  cl_kernel kernel = clCreateKernel(program, kernel_name.c_str(), &status);
+  cl_kernel kernel = clCreateKernel(state_->program, kernel_name.c_str(), &status);
   check(status, "clCreateKernel");
   std::vector<cl_mem> buffers(arguments.size());
   for (cl_uint i = 0; i < arguments.size(); ++i) {
@@ -84,7 +102,6 @@ void Pocl::run(const std::string& source, const std::string& kernel_name, const 
     clReleaseMemObject(buffers[i]);
   }
   clReleaseKernel(kernel);
-  clReleaseProgram(program);
 }
 
 }  // namespace warpgrain::profiler

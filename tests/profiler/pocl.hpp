@@ -12,8 +12,8 @@ namespace warpgrain::profiler {
 
 class Pocl {
  public:
-  // Throws std::runtime_error when there is no PoCL device.
-  Pocl();
+  // `options` are those of clBuildProgram. Throws std::runtime_error when there is no PoCL device.
+  explicit Pocl(std::string options = "-cl-std=CL1.2");
   ~Pocl();
   // Runs the kernel and leaves the buffers as it leaves them. Throws std::runtime_error with PoCL's message.
   void run(const std::string& source, const std::string& kernel, const LaunchShape& shape,
