@@ -1,0 +1,88 @@
+// Every kernel of the step in the simulator and in the independent lockstep interpreter
+// (tests/profiler/oracle): the same counts under every policy, the same bytes in every array.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gtest/gtest.h>
+
+#include "random_bed.hpp"
+#include "variants/device_simulation.hpp"
+
+#ifdef WARPGRAIN_HAS_SIMULATOR
+
+#include "profiler/device_buffer.hpp"
+#include "profiler/opencl_frontend.hpp"
+#include "tests/profiler/oracle/comparison.hpp"
+
+namespace warpgrain {
+namespace {
+
+// Runs launches in both. The arrays go on as the simulator leaves them.
+class ComparedDevice : public ComputeDevice {
+ public:
+  void build(const std::vector<SourceUnit>& units) override {
+    for (const SourceUnit& unit : units)
+      ptx_.push_back(profiler::compile_opencl(unit.text, "kernels", unit.build_options).ptx);
+  }
+  void allocate(DeviceArray array, std::size_t bytes) override {
+    buffers_[array] = profiler::DeviceBuffer(bytes);
+  }
+  void write(DeviceArray array, std::span<const std::byte> bytes) override {
+    std::ranges::copy(bytes, buffers_[array].bytes().begin());
+  }
+  void read(DeviceArray array, std::span<std::byte> bytes) override {
+    std::ranges::copy(buffers_[array].bytes().first(bytes.size()), bytes.begin());
+  }
+  void swap(DeviceArray first, DeviceArray second) override { std::swap(buffers_[first], buffers_[second]); }
+
+  void launch(const KernelLaunch& launch) override {
+    profiler::LaunchShape shape;
+    shape.global_size[0] = launch.global_size;
+    shape.local_size[0] = static_cast<std::uint32_t>(launch.local_size);
+    std::vector<profiler::KernelArgument> arguments;
+    for (const LaunchArgument& argument : launch.arguments) {
+      if (const auto* array = std::get_if<DeviceArray>(&argument)) {
+        arguments.push_back(profiler::KernelArgument::buffer(buffers_[*array].bytes()));
+      } else {
+        arguments.push_back(profiler::KernelArgument::scalar(std::get<std::vector<std::byte>>(argument)));
+      }
+    }
+    const auto found = oracle::differences(ptx_[launch.unit], launch.kernel, shape, arguments);
+    EXPECT_TRUE(found.empty()) << launch.kernel << ":\n" << fmt::format("{}", fmt::join(found, "\n"));
+  }
+
+  void finish() override {}
+  std::vector<KernelTiming> timings() const override { return {}; }
+  std::string name() const override { return "simulator and interpreter"; }
+
+ private:
+  std::vector<std::string> ptx_;
+  PerArray<profiler::DeviceBuffer> buffers_;
+};
+
+std::vector<Variant> lockstep_variants() {
+  std::vector<Variant> variants;
+  for (const Variant& variant : all_variants())
+    if (variant.value(AxisId::order) == Variant().value(AxisId::order)) variants.push_back(variant);
+  return variants;
+}
+
+class Lockstep : public testing::TestWithParam<Variant> {};
+
+TEST_P(Lockstep, EveryKernelOfTheStepAgrees) {
+  // The construction evaluates the forces of a bed with a random history.
+  const Scene bed = random_bed({.n_particles = 150});
+  DeviceSimulation(bed, GetParam(), {}, std::make_unique<ComparedDevice>()).step(1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Variants, Lockstep, testing::ValuesIn(lockstep_variants()),
+                         [](const auto& parameter) {
+                           std::string name = parameter.param.name();
+                           std::ranges::replace(name, '/', '_');
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace warpgrain
+
+#endif
