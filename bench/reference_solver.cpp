@@ -177,3 +177,5 @@ BENCHMARK(steps<float>)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace warpgrain
+
+BENCHMARK_MAIN();

@@ -1,17 +1,24 @@
 // What simulating a force kernel costs: run natively, traced, traced with addresses, and merged. One thread,
 // so that the figures compare with one core of a CPU OpenCL device.
 //
-//   POCL_MAX_PTHREAD_COUNT=1 bench_simulator --benchmark_filter=/131072
+//   POCL_MAX_PTHREAD_COUNT=1 bench_simulator --benchmark_filter=/131072 [--scene=FILE]
+//
+// The bed is a made-up dense one, or that of a scene file with as many particles as the benchmark's number
+// says.
 
 #include <algorithm>
 #include <benchmark/benchmark.h>
+#include <iostream>
 #include <map>
 #include <memory>
+#include <optional>
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 
+#include "core/error.hpp"
 #include "core/scene.hpp"
 #include "profiler/device_buffer.hpp"
 #include "profiler/opencl_frontend.hpp"
@@ -54,6 +61,13 @@ Scene dense_bed(std::uint64_t n_particles) {
   return scene;
 }
 
+std::optional<Scene> given_scene;
+
+Scene bed(std::uint64_t n_particles) {
+  if (given_scene && given_scene->particles.size() == n_particles) return *given_scene;
+  return dense_bed(n_particles);
+}
+
 const Variant& variant() {
   static const Variant variant = Variant::parse("branchy/cells/cell/fp32/default");
   return variant;
@@ -63,7 +77,7 @@ const Variant& variant() {
 class ForceKernel {
  public:
   explicit ForceKernel(std::uint64_t n_particles) {
-    const Scene scene = dense_bed(n_particles);
+    const Scene scene = bed(n_particles);
     DeviceScene device = lay_out(scene, variant());
     const StepPlan plan = make_step_plan(scene, variant(), device, KernelSources());
     for (std::size_t k = 0; k < n_device_arrays; ++k) {
@@ -165,7 +179,7 @@ void run_on_opencl(benchmark::State& state) {
     return;
   }
   const auto simulation =
-      backend("opencl").create(dense_bed(static_cast<std::uint64_t>(state.range(0))), variant(), {});
+      backend("opencl").create(bed(static_cast<std::uint64_t>(state.range(0))), variant(), {});
   const auto seconds = [&] {
     for (const KernelTiming& timing : simulation->timings())
       if (timing.kernel == measured_kernel) return timing.seconds;
@@ -191,3 +205,19 @@ BENCHMARK_CAPTURE(run_and_merge, blocks, TraceMode::blocks)->Apply(sizes);
 BENCHMARK_CAPTURE(run_and_merge, addresses, TraceMode::blocks_and_addresses)->Apply(sizes);
 
 }  // namespace
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  constexpr std::string_view option = "--scene=";
+  if (argc == 2 && std::string_view(argv[1]).starts_with(option)) {
+    try {
+      given_scene = load_scene(argv[1] + option.size());
+    } catch (const InputError& error) {
+      std::cerr << error.what() << '\n';
+      return 2;
+    }
+  } else if (benchmark::ReportUnrecognizedArguments(argc, argv)) {
+    return 2;
+  }
+  benchmark::RunSpecifiedBenchmarks();
+}

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "core/overlap.hpp"
 
 namespace warpgrain {
 namespace {
@@ -167,11 +168,11 @@ bool ContactForces<Real>::gather_if_touching(std::size_t i, std::uint32_t partne
   std::uint32_t partner_material;
   if (is_wall(partner)) {
     const Wall& wall = walls_[partner & ~wall_partner_bit];
-    const WallProximity<Real> near = wall_proximity(wall, p.position[i]);
-    const Real overlap = radius - near.distance;
+    const WallProximity near = wall_proximity(wall, p.position[i].template cast<double>());
+    const auto overlap = static_cast<Real>(radius - near.distance);
     if (!(overlap > 0)) return false;
     batch.overlap[k] = overlap;
-    batch.contact_normal.row(k) = near.contact_normal;
+    batch.contact_normal.row(k) = near.contact_normal.template cast<Real>();
     batch.effective_radius[k] = radius;
     batch.effective_mass[k] = p.mass[i];
     batch.relative_velocity.row(k) = p.velocity[i];
@@ -188,7 +189,7 @@ bool ContactForces<Real>::gather_if_touching(std::size_t i, std::uint32_t partne
                              fmt::format("its centre lies on that of particle {}", p.id[j]),
                              "a direction between the two");
     // Rounding may leave nothing of an overlap in the last place.
-    const Real overlap = reach - distance;
+    const Real overlap = overlap_of_spheres(apart, distance, reach);
     if (!(overlap > 0)) return false;
     batch.overlap[k] = overlap;
     batch.contact_normal.row(k) = apart / distance;

@@ -50,7 +50,8 @@ void NeighbourList<Real>::build_range(std::size_t range) {
     });
     std::sort(rows.partner.begin() + rows.row_start.back(), rows.partner.end());
     for (std::uint32_t w = 0; w < walls_.size(); ++w)
-      if (wall_proximity(walls_[w], position).distance < reach) rows.partner.push_back(wall_partner_bit | w);
+      if (wall_proximity(walls_[w], position.template cast<double>()).distance < reach)
+        rows.partner.push_back(wall_partner_bit | w);
     rows.row_start.push_back(static_cast<std::uint32_t>(rows.partner.size()));
   }
 }

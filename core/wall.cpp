@@ -4,21 +4,16 @@
 
 namespace warpgrain {
 
-template <class Real>
-WallProximity<Real> wall_proximity(const Wall& wall, const Vector3<Real>& centre) {
-  const Vector3<Real> normal = wall.normal.cast<Real>();
-  const Vector3<Real> from_point = centre - wall.point.cast<Real>();
-  if (wall.kind == WallKind::plane) return {from_point.dot(normal), -normal};
+WallProximity wall_proximity(const Wall& wall, const Vector3d& centre) {
+  const Vector3d from_point = centre - wall.point;
+  if (wall.kind == WallKind::plane) return {from_point.dot(wall.normal), -wall.normal};
 
-  const Vector3<Real> u = wall.edge_u.cast<Real>(), v = wall.edge_v.cast<Real>();
-  const Real along_u = std::clamp(from_point.dot(u) / u.squaredNorm(), Real(0), Real(1));
-  const Real along_v = std::clamp(from_point.dot(v) / v.squaredNorm(), Real(0), Real(1));
-  const Vector3<Real> to_nearest = u * along_u + v * along_v - from_point;
-  const Real distance = to_nearest.norm();
-  return {distance, distance > 0 ? Vector3<Real>(to_nearest / distance) : Vector3<Real>(-normal)};
+  const Vector3d &u = wall.edge_u, &v = wall.edge_v;
+  const double along_u = std::clamp(from_point.dot(u) / u.squaredNorm(), 0.0, 1.0);
+  const double along_v = std::clamp(from_point.dot(v) / v.squaredNorm(), 0.0, 1.0);
+  const Vector3d to_nearest = u * along_u + v * along_v - from_point;
+  const double distance = to_nearest.norm();
+  return {distance, distance > 0 ? Vector3d(to_nearest / distance) : Vector3d(-wall.normal)};
 }
-
-template WallProximity<float> wall_proximity(const Wall&, const Vector3<float>&);
-template WallProximity<double> wall_proximity(const Wall&, const Vector3<double>&);
 
 }  // namespace warpgrain

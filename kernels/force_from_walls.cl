@@ -45,10 +45,12 @@ KERNEL void force_from_walls(const StepParameters p, CONSTANT const WallLayout* 
       contact.contact_normal = distance > REAL(0.0) ? separation / distance : -normal;
       contact.overlap = particle.radius - distance;
     } else {
+      // Near a wall both differences are exact, so that the rest of its place is added to what they leave.
       const real distance = dot(particle.position - vector_of(wall->point), normal);
-      if (distance >= particle.radius) continue;  // branch: plane contact test
+      const real overlap = (particle.radius - distance) + wall->point_rest;
+      if (overlap <= REAL(0.0)) continue;  // branch: plane contact test
       contact.contact_normal = -normal;
-      contact.overlap = particle.radius - distance;
+      contact.overlap = overlap;
     }
     contact.velocity = make_real3(REAL(0.0), REAL(0.0), REAL(0.0));
     contact.surface_rotation = make_real3(REAL(0.0), REAL(0.0), REAL(0.0));

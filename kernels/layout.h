@@ -54,6 +54,9 @@ LAYOUT_STRUCT(StepParameters) {
 LAYOUT_STRUCT(WallLayout) {
   LAYOUT_TRIPLE point;   // a point of the plane, or the rectangle's corner
   LAYOUT_TRIPLE normal;  // unit
+  // Of a plane: how far along the normal it stands from `point` as rounded; float places at 0.1 m lie 7 nm
+  // apart.
+  real point_rest;
   // Of a rectangle: each edge divided by its squared length, so that a dot product gives a fraction of it ...
   LAYOUT_TRIPLE fraction_u, fraction_v;
   LAYOUT_TRIPLE edge_u, edge_v;  // ... and the edge itself

@@ -26,6 +26,8 @@ typedef float4 real4;
 #define LOCAL __local
 // Always inlined: a law is called from two kernels, and neither may pay for a call.
 #define DEVICE_FUNCTION static inline __attribute__((always_inline))
+// First in a body: products and sums round one by one.
+#define FP_CONTRACT_OFF _Pragma("OPENCL FP_CONTRACT OFF")
 #define WORK_GROUP_OF(n) __attribute__((reqd_work_group_size(n, 1, 1)))
 
 #define work_item() ((uint)get_global_id(0))

@@ -12,8 +12,8 @@ namespace warpgrain {
 
 // Largest deviation from the double reference in one evaluation of the same state, as a part of the largest
 // force in the bed: of a force; of a torque over the largest radius; of a tangential displacement times the
-// contact's tangential stiffness. In float it is the rounding of the overlap, a difference of lengths far
-// larger than itself.
+// contact's tangential stiffness. At rest the forces on a particle cancel to about its weight, while those of
+// its contacts grow with the depth of the bed: so does what their rounding is of that largest force.
 struct ErrorBounds {
   double fp32 = 0, fp64 = 0;
 };
@@ -25,7 +25,7 @@ struct ContactLaw {
   ContactModel model = ContactModel::practical;  // what the law computes, whatever the scene's model says
   bool keeps_history = true;
   ErrorBounds error_bounds;          // in beds whose overlaps are percents of a radius
-  ErrorBounds error_bounds_at_rest;  // in settled beds: overlaps are thousandths, and forces nearly cancel
+  ErrorBounds error_bounds_at_rest;  // in settled beds to 2^17 particles
 };
 
 std::span<const ContactLaw> contact_laws();

@@ -63,12 +63,20 @@ layout::StepParameters<real> step_parameters(const Scene& scene, const DeviceSce
           .cells_z = grid.n_cells[2]};
 }
 
+// Volatile, because GCC 12 drops a conversion to float and back where it vectorises.
+template <class real>
+Vector3d rounded(const Vector3d& v) {
+  volatile real x = static_cast<real>(v.x()), y = static_cast<real>(v.y()), z = static_cast<real>(v.z());
+  return {double{x}, double{y}, double{z}};
+}
+
 template <class real>
 std::vector<std::byte> wall_rows(const std::vector<Wall>& walls) {
   std::vector<layout::WallLayout<real>> rows;
   for (const Wall& wall : walls) {
     layout::WallLayout<real> row{};
     row.point = triple<real>(wall.point);
+    row.point_rest = static_cast<real>((wall.point - rounded<real>(wall.point)).dot(wall.normal));
     row.normal = triple<real>(wall.normal);
     row.material = wall.material;
     if (wall.kind == WallKind::rectangle) {

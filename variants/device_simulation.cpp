@@ -36,8 +36,6 @@ DeviceSimulation::DeviceSimulation(const Scene& scene, const Variant& variant, c
     : device_(std::move(device)),
       id_(scene.particles.id),
       material_(scene.particles.material),
-      radius_(scene.particles.radius),
-      mass_(scene.particles.mass),
       ranks_by_id_(id_.size()) {
   std::iota(ranks_by_id_.begin(), ranks_by_id_.end(), 0u);
   std::ranges::sort(ranks_by_id_, {}, [this](std::uint32_t rank) { return id_[rank]; });
@@ -144,8 +142,9 @@ ParticleState DeviceSimulation::state() const {
     const std::uint32_t rank = ranks_by_id_[k];
     state.id.push_back(id_[rank]);
     state.material.push_back(material_[rank]);
-    state.radius.push_back(radius_[rank]);
-    state.mass.push_back(mass_[rank]);
+    // As the device holds them, like all else of the state: forces are a function of what is in it.
+    state.radius.push_back(position[4 * places[k] + 3]);
+    state.mass.push_back(velocity[4 * places[k] + 3]);
     state.position.push_back(vector_at(position, places[k], 4));
     state.velocity.push_back(vector_at(velocity, places[k], 4));
     state.angular_velocity.push_back(vector_at(angular_velocity, places[k], 4));

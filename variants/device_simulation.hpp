@@ -39,7 +39,6 @@ class DeviceSimulation : public Simulation {
   StepPlan plan_;
   // By rank, [n_particles]: what does not change, as the scene gave it.
   std::vector<std::uint32_t> id_, material_;
-  std::vector<double> radius_, mass_;
   std::vector<std::uint32_t> ranks_by_id_;
   PerArray<std::size_t> bytes_;
   std::uint32_t contact_slots_ = 0;

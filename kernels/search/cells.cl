@@ -3,6 +3,7 @@
 
 #include "contact/contact_law.h"
 #include "grid.h"
+#include "overlap.h"
 #include "particle_access.h"
 #include "prelude.h"
 
@@ -54,8 +55,9 @@ KERNEL void force_between_particles(const StepParameters p, GLOBAL const ulong* 
             const real4 motion = velocity_mass[other];
             const uint2 other_identity = rank_material[other];
             Contact contact;
-            contact.contact_normal = separation / distance;
-            contact.overlap = reach - distance;
+            const real inverse_distance = REAL(1.0) / distance;
+            contact.contact_normal = separation * inverse_distance;
+            contact.overlap = overlap_of_spheres(separation, distance, inverse_distance, reach);
             contact.velocity = xyz(motion);
             contact.surface_rotation = place_of_other.w * xyz(angular_velocity[other]);
             contact.inverse_radius = REAL(1.0) / place_of_other.w;

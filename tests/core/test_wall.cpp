@@ -14,7 +14,7 @@ Wall unit_square() {
   return wall;
 }
 
-void expect_near(const WallProximity<double>& near, double distance, const Vector3d& normal) {
+void expect_near(const WallProximity& near, double distance, const Vector3d& normal) {
   EXPECT_NEAR(near.distance, distance, 1e-15);
   EXPECT_NEAR((near.contact_normal - normal).norm(), 0, 1e-15);
 }
@@ -40,14 +40,6 @@ TEST(Wall, RectangleIsTouchedAtItsEdgesAndCorners) {
 
 TEST(Wall, CentreOnARectangleHasADirection) {
   expect_near(wall_proximity(unit_square(), Vector3d(0.5, 0.5, 0)), 0, -Vector3d::UnitZ());
-}
-
-TEST(Wall, FloatAgreesWithDouble) {
-  const Vector3d centre(1.3, -0.4, 0.7);
-  const auto in_double = wall_proximity(unit_square(), centre);
-  const auto in_float = wall_proximity(unit_square(), Vector3<float>(centre.cast<float>()));
-  EXPECT_NEAR(in_float.distance, in_double.distance, 1e-6);
-  EXPECT_NEAR((in_float.contact_normal.cast<double>() - in_double.contact_normal).norm(), 0, 1e-6);
 }
 
 }  // namespace
