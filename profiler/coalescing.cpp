@@ -6,13 +6,7 @@
 #include <limits>
 #include <vector>
 
-// One body, compiled for the vector units that there may be; the loader picks. Its picking runs before the
-// sanitizers' run time is up, so not under those.
-#if defined(__x86_64__) && !defined(__SANITIZE_THREAD__) && !defined(__SANITIZE_ADDRESS__)
-#define WARPGRAIN_VECTOR_CLONES [[gnu::target_clones("arch=skylake-avx512", "arch=haswell", "default")]]
-#else
-#define WARPGRAIN_VECTOR_CLONES
-#endif
+#include "profiler/vector_clones.hpp"
 
 namespace warpgrain::profiler {
 namespace {

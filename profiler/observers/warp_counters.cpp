@@ -41,7 +41,8 @@ void WarpCounters::add(const WarpCounters& other) {
 
 void count_request(MemoryCounters& counters, std::span<const std::uint64_t> addresses, std::uint32_t bytes) {
   if (addresses.empty()) return;
-  const RequestFootprint footprint = request_footprint(addresses, bytes);
+  const RequestFootprint footprint =
+      addresses.size() == 1 ? access_footprint(addresses[0], bytes) : request_footprint(addresses, bytes);
   ++counters.requests;
   counters.sectors += footprint.sectors;
   counters.lines += footprint.lines;
