@@ -24,6 +24,12 @@ TEST_P(RandomKernels, AgreeWithPoclAndWithTheInterpreter) {
 INSTANTIATE_TEST_SUITE_P(From, RandomKernels,
                          testing::Range(std::uint64_t{1}, n_kernels + 1, kernels_a_program));
 
+TEST(RandomKernels, InPtxAgreeWithTheInterpreter) {
+  std::vector<RandomKernel> kernels;
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) kernels.push_back(random_ptx_kernel(seed));
+  for (const Finding& finding : check_ptx_kernels(kernels)) ADD_FAILURE() << report(finding);
+}
+
 TEST(RandomKernel, IsTheSameForTheSameSeed) {
   EXPECT_EQ(random_kernel(7).source, random_kernel(7).source);
   EXPECT_NE(random_kernel(7).source, random_kernel(8).source);

@@ -89,10 +89,9 @@ std::vector<Node> Flow::nearest_post_dominators(const Loop* level) const {
   for (Node node = 0; node < end(); ++node) {
     if (!inside(node)) continue;
     for (const Node to : stretches_[node].to) {
-      const bool iteration_ends = level != nullptr && to == level->header;
-      if (to == end() || iteration_ends) {
+      if (to == (level == nullptr ? end() : level->header)) {
         forward[node].push_back(end());
-      } else if (inside(to)) {
+      } else if (to != end() && inside(to)) {
         forward[node].push_back(to);
       }
     }

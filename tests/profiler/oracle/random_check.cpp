@@ -41,15 +41,16 @@ class Data {
   DeviceBuffer in_, out_, sums_;
 };
 
-// The program without the entries of other kernels: reading all of them again for each takes longer than
-// running one.
+// The program without the entries of other kernels and without debug sections: reading all of them again for
+// each kernel takes longer than running one.
 std::string without_others(const std::string& ptx, const std::string& kernel) {
   const std::string begin = ".visible .entry ", end = "\n}\n";
+  const std::size_t finish = std::min(ptx.find("\t.section"), ptx.size());
   std::string text;
-  for (std::size_t at = 0; at < ptx.size();) {
-    const std::size_t entry = std::min(ptx.find(begin, at), ptx.size());
+  for (std::size_t at = 0; at < finish;) {
+    const std::size_t entry = std::min(ptx.find(begin, at), finish);
     text += ptx.substr(at, entry - at);
-    if (entry == ptx.size()) break;
+    if (entry == finish) break;
     at = ptx.find(end, entry) + end.size();
     if (ptx.compare(entry + begin.size(), kernel.size() + 1, kernel + "(") == 0)
       text += ptx.substr(entry, at - entry);
@@ -84,6 +85,21 @@ std::vector<Finding> check_kernels(std::span<const RandomKernel> kernels, const 
     Finding finding{&kernel, {}};
     try {
       finding.lines = check(kernel, source, without_others(ptx, kernel.name), reference);
+    } catch (const std::exception& error) {
+      finding.lines = {fmt::format("stopped: {}", error.what())};
+    }
+    if (!finding.lines.empty()) findings.push_back(std::move(finding));
+  }
+  return findings;
+}
+
+std::vector<Finding> check_ptx_kernels(std::span<const RandomKernel> kernels) {
+  std::vector<Finding> findings;
+  for (const RandomKernel& kernel : kernels) {
+    Finding finding{&kernel, {}};
+    try {
+      Data data(kernel);
+      finding.lines = differences(kernel.source, kernel.name, kernel.shape, data.arguments());
     } catch (const std::exception& error) {
       finding.lines = {fmt::format("stopped: {}", error.what())};
     }

@@ -18,6 +18,20 @@ std::string leaf(Dice& dice, const FunctionText& function) {
   }
 }
 
+// A word that is likely to differ between lanes, and from pass to pass.
+std::string varying(Dice& dice, const FunctionText& function) {
+  switch (dice.below(4)) {
+    case 0:
+      return fill("in[$ & 63u]", {dice.one_of(function.words)});
+    case 1:
+      return fill("($ >> $u)", {dice.one_of(function.words), dice.number_below(8)});
+    case 2:
+      return fill("($ + $)", {dice.one_of(function.words), leaf(dice, function)});
+    default:
+      return dice.one_of(function.words);
+  }
+}
+
 }  // namespace
 
 std::string fill(std::string_view pattern, std::initializer_list<std::string> parts) {
@@ -104,15 +118,16 @@ std::string random_condition(Dice& dice, const FunctionText& function, int depth
     }
   }
   // Mostly such that lanes are of several minds.
+  const auto left = [&] { return varying(dice, function); };
   switch (dice.below(6)) {
     case 0:
-      return fill("($ < $)", {word(), word()});
+      return fill("($ < $)", {left(), word()});
     case 1:
-      return fill("((int)$ > (int)$)", {word(), word()});
+      return fill("((int)$ > (int)$)", {left(), word()});
     case 2:
-      return fill("($ % $u < $u)", {word(), dice.one_of({"3", "4", "5", "7"}), dice.one_of({"1", "2"})});
+      return fill("($ % $u < $u)", {left(), dice.one_of({"3", "4", "5", "7"}), dice.one_of({"1", "2"})});
     default:
-      return fill("(($ & $u) $ $u)", {word(), dice.one_of({"1", "3", "6", "7"}),
+      return fill("(($ & $u) $ $u)", {left(), dice.one_of({"1", "3", "6", "7"}),
                                       dice.one_of({"==", "!=", "<"}), dice.number_below(4)});
   }
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Random OpenCL C kernels that always end, stay in their buffers, race with nothing and compute exactly:
+// Random kernels that always end, stay in their buffers, race with nothing and compute exactly:
 // whatever runs them must leave the same bytes. Loops within loops with trips of each lane's own, break,
 // continue, goto (into loops, too), switch, early returns, calls, short circuits, barriers in uniform flow,
 // atomics that commute.
@@ -26,5 +26,9 @@ struct RandomKernel {
 
 // The same text for the same seed, everywhere.
 RandomKernel random_kernel(std::uint64_t seed);
+
+// In PTX, with the same parameters: jumps between any blocks, tables of them, predicated ends and accesses,
+// functions with several ends. Beyond what compilers make of OpenCL C.
+RandomKernel random_ptx_kernel(std::uint64_t seed);
 
 }  // namespace warpgrain::oracle

@@ -92,10 +92,15 @@ std::string RandomStatements::assignment() {
 }
 
 std::string RandomStatements::branch(const Around& around) {
-  std::string text =
-      fill("if $ $", {random_condition(dice_, function_, dice_.one_in(3) ? 2 : 1), block(sequence(around))});
-  if (dice_.one_in(2)) text += fill("else $", {block(sequence(around))});
-  return text;
+  // Ways out of one arm are what sets policies apart: lanes that stay wait for each other behind the branch,
+  // or not before the loop is over.
+  const auto arm = [&] {
+    if (dice_.one_in(2)) return block(sequence(around));
+    return block(fill("$$$", {sequence(around), jump(around), simple(around)}));
+  };
+  std::string text = fill("if $ $", {random_condition(dice_, function_, dice_.one_in(3) ? 2 : 1), arm()});
+  if (dice_.one_in(2)) text += fill("else $", {arm()});
+  return text + simple(around);
 }
 
 std::string RandomStatements::choice(const Around& around) {
@@ -121,10 +126,11 @@ std::string RandomStatements::loop(const Around& around) {
   const std::string counter = new_counter();
   // Few trips where loops stand in loops.
   const std::string trips =
-      dice_.one_in(4) ? std::to_string(1 + dice_.below(4))
+      dice_.one_in(4) ? std::to_string(2 + dice_.below(4))
                       : fill("(int)($ % $u)", {random_word(dice_, function_, 1),
                                                std::to_string(2 + dice_.below(around.depth > 1 ? 3 : 6))});
-  const std::string body = sequence(inside);
+  const std::string body =
+      dice_.one_in(2) ? sequence(inside) : fill("$$", {branch(inside), sequence(inside)});
   switch (dice_.below(4)) {
     case 0:
       return fill("$ = $;\nwhile ($-- > 0 && $) $",

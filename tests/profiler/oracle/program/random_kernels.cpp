@@ -2,6 +2,7 @@
 //
 //   random_kernels --kernels 20000 --seed 1            seeds 1 to 20000; exits 1 when any differ
 //   random_kernels --kernels 1 --seed 4711 --print     the source of one, without running it
+//   random_kernels --kernels 20000 --ptx               kernels in PTX, which need no compiler
 //   random_kernels --seed 4711 --source reduced.cl     one kernel's text from a file, in place of the
 //   generated
 //                                                      one: for reducers, which look at the exit status
@@ -23,12 +24,12 @@ using namespace warpgrain;
 struct Options {
   std::uint64_t kernels = 1, seed = 1, batch = 50;
   double seconds = 1e9;
-  bool print = false;
+  bool print = false, ptx = false;
   std::string source;
 };
 
 oracle::RandomKernel kernel_of(const Options& options, std::uint64_t seed) {
-  oracle::RandomKernel kernel = oracle::random_kernel(seed);
+  oracle::RandomKernel kernel = options.ptx ? oracle::random_ptx_kernel(seed) : oracle::random_kernel(seed);
   if (options.source.empty()) return kernel;
   std::ifstream in(options.source);
   std::ostringstream text;
@@ -52,7 +53,9 @@ std::uint64_t run(const Options& options) {
       kernels.push_back(kernel_of(options, options.seed + done++));
     // So that a crash, of PoCL's compiler, say, can be looked for.
     std::cerr << fmt::format("seeds {} to {}\n", kernels.front().seed, kernels.back().seed);
-    for (const oracle::Finding& finding : oracle::check_kernels(kernels, reference)) {
+    const auto findings =
+        options.ptx ? oracle::check_ptx_kernels(kernels) : oracle::check_kernels(kernels, reference);
+    for (const oracle::Finding& finding : findings) {
       ++found;
       std::cout << oracle::report(finding) << std::endl;
     }
@@ -74,6 +77,7 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--seconds", options.seconds, "begins no batch after that time");
   app.add_flag("--print", options.print, "prints sources and runs nothing");
+  app.add_flag("--ptx", options.ptx, "kernels in PTX: simulator and interpreter alone");
   app.add_option("--source", options.source, "a file in place of the generated text")
       ->check(CLI::ExistingFile);
   CLI11_PARSE(app, argc, argv);
@@ -81,7 +85,7 @@ int main(int argc, char** argv) {
   try {
     if (!options.print) return run(options) == 0 ? 0 : 1;
     for (std::uint64_t i = 0; i < options.kernels; ++i)
-      std::cout << oracle::random_kernel(options.seed + i).source;
+      std::cout << kernel_of(options, options.seed + i).source;
     return 0;
   } catch (const std::exception& error) {
     std::cerr << "random_kernels: " << error.what() << '\n';
