@@ -1,5 +1,6 @@
 #pragma once
-// The built-in functions of profiler/builtins as LLVM bitcode for NVPTX, made by clang when the program was built.
+// The built-in functions of profiler/builtins as LLVM bitcode for NVPTX, made by clang when the program was
+// built.
 
 #include <string_view>
 

@@ -2,9 +2,11 @@
 // to bitcode with the program, and linked to every kernel before libclc.
 
 #include "profiler/builtins/arctangent.cl"
+#include "profiler/builtins/conversions.cl"
 #include "profiler/builtins/error_function.cl"
 #include "profiler/builtins/exponential.cl"
 #include "profiler/builtins/gamma.cl"
+#include "profiler/builtins/integer.cl"
 #include "profiler/builtins/logarithm.cl"
 #include "profiler/builtins/parts.cl"
 #include "profiler/builtins/power.cl"

@@ -31,12 +31,14 @@ constexpr double exact = 0;
 
 struct MathFunction {
   std::string_view name;
-  std::string_view call;  // OpenCL C over x, y, z, n; T is the type, T3 its vector
+  std::string_view
+      call;  // OpenCL C over x, y, z (of type T) and n (I); AS_T makes T of I; T3 is for three scalars
   Inputs inputs;
   double limit_float, limit_double;  // in ULP
   Reference reference;
   struct Details {
     double from = -10, to = 10;                      // where most samples of x are taken
+    double widening = 1;                             // of that interval in double
     bool (*defined)(const Arguments&) = nullptr;     // samples that OpenCL says something about; null: all
     double (*absolute)(const Arguments&) = nullptr;  // an error that is allowed whatever the ULP
     bool signed_zero = true;                         // whether OpenCL fixes the sign of zero results

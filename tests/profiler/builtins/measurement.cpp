@@ -11,37 +11,56 @@ namespace warpgrain::profiler::builtins {
 namespace {
 
 constexpr std::uint32_t group = 64;
+// Vectors of 3 and 16 too fill work-groups.
+constexpr std::size_t block = group * 48;
 
 template <class T>
 double limit_of(const MathFunction& function) {
   return sizeof(T) == sizeof(float) ? function.limit_float : function.limit_double;
 }
 
+// A launch evaluates one function, in vectors of `width`.
 template <class T>
-std::string program(std::span<const MathFunction> functions) {
+std::string program(std::span<const MathFunction> functions, std::uint32_t width) {
   const std::string type = sizeof(T) == sizeof(float) ? "float" : "double";
-  std::string text = fmt::format("typedef {0} T;\ntypedef {0}3 T3;\n", type);
-  text +=
-      "kernel void measured(global T* result, global const T* xs, global const T* ys, global const T* zs,\n"
-      "                     global const int* ns, int which) {\n"
+  const std::string n = width == 1 ? "" : std::to_string(width);
+  const auto load = [&](std::string_view array) {
+    return width == 1 ? fmt::format("{}[i]", array) : fmt::format("vload{}(i, {})", n, array);
+  };
+  std::string text = fmt::format(
+      "typedef {0}{1} T;\ntypedef {0}3 T3;\ntypedef int{1} I;\n#define AS_T(x) convert_{0}{1}(x)\n"
+      "kernel void measured(global {0}* result, global const {0}* xs, global const {0}* ys, global const "
+      "{0}* zs,\n"
+      "                     global const int* ns, int which) {{\n"
       "  const size_t i = get_global_id(0);\n"
-      "  const T x = xs[i], y = ys[i], z = zs[i];\n"
-      "  const int n = ns[i];\n"
-      "  switch (which) {\n";
+      "  const T x = {2}, y = {3}, z = {4};\n  const I n = {5};\n  T r;\n  switch (which) {{\n",
+      type, n, load("xs"), load("ys"), load("zs"), load("ns"));
   for (std::size_t f = 0; f < functions.size(); ++f)
     if (limit_of<T>(functions[f]) != absent)
-      text += fmt::format("    case {}: result[i] = {}; break;\n", f, functions[f].call);
-  return text + "  }\n}\n";
+      text += fmt::format("    case {}: r = {}; break;\n", f, functions[f].call);
+  text += "    default: return;\n  }\n";
+  return text + (width == 1 ? "  result[i] = r;\n}\n" : fmt::format("  vstore{}(r, i, result);\n}}\n", n));
 }
 
 template <class T>
 Samples<T> padded(Samples<T> samples) {
-  const std::size_t size = (samples.x.size() + group - 1) / group * group;
+  const std::size_t size = (samples.x.size() + block - 1) / block * block;
   samples.x.resize(size);
   samples.y.resize(size);
   samples.z.resize(size);
   samples.n.resize(size);
   return samples;
+}
+
+template <class T>
+std::vector<T> run(const Executable& executable, std::size_t function, Samples<T>& samples,
+                   std::uint32_t width) {
+  std::vector<T> results(samples.x.size());
+  const int which = static_cast<int>(function);
+  run_launch(executable, line_of(results.size() / width, group),
+             {buffer_of(results), buffer_of(samples.x), buffer_of(samples.y), buffer_of(samples.z),
+              buffer_of(samples.n), scalar_of(which)});
+  return results;
 }
 
 template <class T>
@@ -82,22 +101,44 @@ Measurement compare(const MathFunction& function, const Samples<T>& samples, con
 
 template <class T>
 std::vector<Measurement> measure(std::span<const MathFunction> functions) {
-  const auto executable = compile_kernel(program<T>(functions), "measured", TraceMode::none);
+  const auto executable = compile_kernel(program<T>(functions, 1), "measured", TraceMode::none);
   std::vector<Measurement> measured;
   for (std::size_t f = 0; f < functions.size(); ++f) {
     if (limit_of<T>(functions[f]) == absent) continue;
-    Samples<T> samples = padded(samples_for<T>(functions[f]));
-    std::vector<T> results(samples.x.size());
-    const int which = static_cast<int>(f);
-    run_launch(*executable, line_of(results.size(), group),
-               {buffer_of(results), buffer_of(samples.x), buffer_of(samples.y), buffer_of(samples.z),
-                buffer_of(samples.n), scalar_of(which)});
-    measured.push_back(compare(functions[f], samples, results));
+    const Samples<T> chosen = samples_for<T>(functions[f]);
+    Samples<T> samples = padded(chosen);
+    measured.push_back(compare(functions[f], chosen, run(*executable, f, samples, 1)));
   }
   return measured;
 }
 
+template <class T>
+std::vector<std::string> differences_in_vectors(std::span<const MathFunction> functions,
+                                                std::uint32_t width) {
+  std::vector<MathFunction> of_components;
+  for (const MathFunction& f : functions)
+    if (f.call.find("T3") == std::string_view::npos) of_components.push_back(f);
+  const auto scalars = compile_kernel(program<T>(of_components, 1), "measured", TraceMode::none);
+  const auto vectors = compile_kernel(program<T>(of_components, width), "measured", TraceMode::none);
+  std::vector<std::string> differences;
+  for (std::size_t f = 0; f < of_components.size(); ++f) {
+    if (limit_of<T>(of_components[f]) == absent) continue;
+    Samples<T> samples = padded(samples_for<T>(of_components[f]));
+    const std::vector<T> expected = run(*scalars, f, samples, 1), got = run(*vectors, f, samples, width);
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      if (expected[i] == got[i] || (std::isnan(expected[i]) && std::isnan(got[i]))) continue;
+      differences.push_back(fmt::format("{}, x = {}, y = {}: {}, not {}", of_components[f].name, samples.x[i],
+                                        samples.y[i], got[i], expected[i]));
+      break;
+    }
+  }
+  return differences;
+}
+
 template std::vector<Measurement> measure<float>(std::span<const MathFunction>);
 template std::vector<Measurement> measure<double>(std::span<const MathFunction>);
+template std::vector<std::string> differences_in_vectors<float>(std::span<const MathFunction>, std::uint32_t);
+template std::vector<std::string> differences_in_vectors<double>(std::span<const MathFunction>,
+                                                                 std::uint32_t);
 
 }  // namespace warpgrain::profiler::builtins

@@ -142,7 +142,9 @@ Samples<T> samples_for(const MathFunction& function) {
   Samples<T> samples;
   add_edges(samples, function.inputs);
   Random random;
-  const auto value = [&] { return value_of<T>(random, function.details.from, function.details.to); };
+  const double widening = sizeof(T) == sizeof(double) ? function.details.widening : 1;
+  const double from = widening * function.details.from, to = widening * function.details.to;
+  const auto value = [&] { return value_of<T>(random, from, to); };
   for (int i = 0; i < 1500; ++i) {
     const T x = value();
     const T y = value();

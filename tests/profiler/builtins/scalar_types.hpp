@@ -100,10 +100,15 @@ std::vector<T> edge_values() {
   return values;
 }
 
-// Edges, then random values up to `count` in all, a multiple of 64 where count is.
+// Every width of vectors and 32 work-items in a group divide the number of samples.
+constexpr std::size_t sample_block = 1536;
+
+// Edges, then random values, as many as fill blocks.
 template <class T>
-std::vector<T> values_of(std::size_t count, Random& random) {
+std::vector<T> values_of(Random& random) {
   std::vector<T> values = edge_values<T>();
+  const std::size_t count =
+      (values.size() + sample_block / 4 + sample_block - 1) / sample_block * sample_block;
   while (values.size() < count) values.push_back(random_value<T>(random));
   return values;
 }

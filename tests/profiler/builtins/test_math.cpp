@@ -1,9 +1,11 @@
-// Every function of real numbers within OpenCL's limits.
+// Every function of real numbers within OpenCL's limits, as docs/builtins.md says, in scalars and vectors.
 
 #include <fmt/format.h>
+#include <fstream>
 #include <gtest/gtest.h>
+#include <sstream>
 
-#include "tests/profiler/builtins/measurement.hpp"
+#include "tests/profiler/builtins/documentation.hpp"
 #include "tests/profiler/builtins/random.hpp"
 
 namespace warpgrain::profiler::builtins {
@@ -17,13 +19,33 @@ void expect_within_limits(const std::vector<Measurement>& measured) {
   }
 }
 
-TEST(MathFunctions, ElementaryFloat) { expect_within_limits(measure<float>(elementary_functions())); }
-TEST(MathFunctions, ElementaryDouble) { expect_within_limits(measure<double>(elementary_functions())); }
-TEST(MathFunctions, OtherFloat) { expect_within_limits(measure<float>(other_math_functions())); }
-TEST(MathFunctions, OtherDouble) { expect_within_limits(measure<double>(other_math_functions())); }
-TEST(MathFunctions, CommonFloat) { expect_within_limits(measure<float>(common_functions())); }
-TEST(MathFunctions, CommonDouble) { expect_within_limits(measure<double>(common_functions())); }
-TEST(MathFunctions, Approximate) { expect_within_limits(measure<float>(approximate_functions())); }
+std::string documented() {
+  std::ifstream in(std::string(WARPGRAIN_SOURCE_DIR) + "/docs/builtins.md");
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+class MathFunctions : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(MathFunctions, KeepTheirLimitsAsDocumented) {
+  const Section section = sections()[GetParam()];
+  const SectionMeasurements measured = measure(section);
+  expect_within_limits(measured.in_float);
+  expect_within_limits(measured.in_double);
+  const std::string page = documented();
+  for (const std::string& row : rows(section, measured))
+    EXPECT_NE(page.find(row + "\n"), std::string::npos) << "docs/builtins.md has no row\n" << row;
+}
+
+TEST_P(MathFunctions, GiveTheSameInVectors) {
+  const Section section = sections()[GetParam()];
+  EXPECT_EQ(differences_in_vectors<float>(section.functions, 3), std::vector<std::string>());
+  if (section.title.find("half_") != std::string_view::npos) return;
+  EXPECT_EQ(differences_in_vectors<double>(section.functions, 3), std::vector<std::string>());
+}
+
+INSTANTIATE_TEST_SUITE_P(Sections, MathFunctions, testing::Values(0, 1, 2, 3));
 
 }  // namespace
 }  // namespace warpgrain::profiler::builtins
