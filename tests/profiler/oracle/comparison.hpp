@@ -24,7 +24,8 @@ std::span<const Setting> all_settings();
 // as the simulator leaves them; they must be aligned as DeviceBuffer is. Differences in how often each
 // instruction was issued, by number of active lanes; in divergent branches and lanes that took them; in
 // requests, sectors and useful bytes of each access; and in the buffers. Empty when there are none; only the
-// first ones when there are many. What the interpreter refuses is a std::runtime_error.
+// first ones when there are many. What the interpreter refuses is a std::runtime_error, an
+// UnknownInstruction (modifiers.hpp) where it lacks something.
 std::vector<std::string> differences(std::string_view ptx, std::string_view kernel,
                                      const profiler::LaunchShape& shape,
                                      std::span<const profiler::KernelArgument> arguments,

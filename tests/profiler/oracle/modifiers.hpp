@@ -14,8 +14,15 @@ namespace warpgrain::oracle {
 
 namespace ptx = profiler::ptx;
 
+// What the interpreter does not know, by name.
+class UnknownInstruction : public std::runtime_error {
+ public:
+  explicit UnknownInstruction(const std::string& what)
+      : std::runtime_error("the interpreter does not know " + what) {}
+};
+
 [[noreturn]] inline void refuse(const ptx::Statement& statement, const std::string& why) {
-  throw std::runtime_error(fmt::format("the interpreter does not know '{}': {}", statement.text, why));
+  throw UnknownInstruction(fmt::format("'{}': {}", statement.text, why));
 }
 
 class Modifiers {

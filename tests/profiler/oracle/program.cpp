@@ -33,7 +33,7 @@ class Decoder {
   // Appends a copy of the function. The places of its `ret`s are added to `returns`; of the kernel, that is
   // null, and lanes end there.
   void copy(const ptx::Function& function, Names names, std::vector<Place>* returns) {
-    if (++depth_ > 64) throw std::runtime_error("the interpreter does not know recursion");
+    if (++depth_ > 64) throw UnknownInstruction("recursion");
     lay_out_function(function, program_, names);
     std::vector<Place> places;  // of the function's statements, and of its end
     std::vector<std::pair<Place, const ptx::Statement*>> jumps;

@@ -54,7 +54,7 @@ struct Program {
   std::vector<std::byte> variables;  // of the module, as they are at the start
 };
 
-// Throws std::runtime_error for what the interpreter does not know. The program points into `module`.
+// Throws UnknownInstruction for what the interpreter does not know. The program points into `module`.
 Program decode(const ptx::Module& module, const ptx::Function& kernel);
 
 }  // namespace warpgrain::oracle

@@ -26,7 +26,7 @@ Source address_of(Memory::Region region, std::uint32_t offset) {
 }
 
 void place_shared(const ptx::Variable& variable, Program& program, Names& names) {
-  if (variable.external) throw std::runtime_error("the interpreter does not know .extern .shared");
+  if (variable.external) throw UnknownInstruction(".extern .shared");
   names[variable.name] = address_of(Memory::shared, place(variable, program.shared_bytes));
 }
 

@@ -59,8 +59,7 @@ Bits WorkGroup::read(const Source& source, ptx::ScalarType type, std::uint32_t l
       return source.value;
     case Source::Kind::special: {
       const auto found = special_[lane].find(source.special);
-      if (found == special_[lane].end())
-        throw std::runtime_error(fmt::format("the interpreter does not know '{}'", source.special));
+      if (found == special_[lane].end()) throw UnknownInstruction(fmt::format("'{}'", source.special));
       return cut_to(type, found->second);
     }
     case Source::Kind::address:

@@ -1,11 +1,10 @@
 // Checks random kernels by the thousand: simulator, interpreter and PoCL must agree on each.
 //
-//   random_kernels --kernels 20000 --seed 1            seeds 1 to 20000; exits 1 when any differ
-//   random_kernels --kernels 1 --seed 4711 --print     the source of one, without running it
-//   random_kernels --kernels 20000 --ptx               kernels in PTX, which need no compiler
-//   random_kernels --seed 4711 --source reduced.cl     one kernel's text from a file, in place of the
-//   generated
-//                                                      one: for reducers, which look at the exit status
+//   random_kernels --kernels 20000 --seed 1         seeds 1 to 20000; exits 1 when any differ
+//   random_kernels --kernels 20000 --ptx            kernels in PTX, which need no compiler
+//   random_kernels --seed 4711 --print              the source of one, without running it
+//   random_kernels --seed 4711 --source reduced.cl  its text from a file: for reducers, which look at
+//                                                   the exit status
 
 #include <CLI/CLI.hpp>
 #include <chrono>
