@@ -8,9 +8,8 @@
 #include "core/error.hpp"
 
 namespace warpgrain::profiler {
-namespace {
 
-std::vector<std::string> split(std::string_view options) {
+std::vector<std::string> split_words(std::string_view options) {
   std::vector<std::string> words;
   std::string word;
   bool in_word = false;
@@ -43,11 +42,9 @@ std::vector<std::string> split(std::string_view options) {
   return words;
 }
 
-}  // namespace
-
 std::vector<std::string> split_build_options(std::string_view options) {
   static constexpr std::array<std::string_view, 8> prefixes{"-D", "-I", "-U", "-cl-", "-W", "-O", "-g", "-w"};
-  std::vector<std::string> words = split(options);
+  std::vector<std::string> words = split_words(options);
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string& word = words[i];
     const auto known = std::find_if(prefixes.begin(), prefixes.end(),

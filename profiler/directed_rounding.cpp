@@ -1,5 +1,6 @@
 #include "profiler/directed_rounding.hpp"
 
+#include <algorithm>
 #include <cfenv>
 #include <cmath>
 #include <cstdint>
@@ -68,6 +69,30 @@ To convert(From a) {
   return result;
 }
 
+// The bits of a half: 11 bits of mantissa, exponents from -14 on, the largest 65504.
+template <int mode>
+std::uint16_t to_half(double a) {
+  const std::uint16_t sign = std::signbit(a) ? 0x8000 : 0;
+  if (std::isnan(a)) return 0x7fff;
+  if (std::isinf(a)) return sign | 0x7c00;
+  if (a == 0) return sign;
+  int exponent = std::max(std::ilogb(a), -14);
+  const volatile double units = std::ldexp(a, 10 - exponent);
+  double rounded = 0;
+  {
+    const RoundingScope scope(mode);
+    rounded = std::fabs(std::nearbyint(units));
+  }
+  if (rounded >= 2048) rounded = 1024, ++exponent;
+  if (exponent > 15) {
+    const bool to_infinity = mode == (sign != 0 ? FE_DOWNWARD : FE_UPWARD);
+    return sign | (to_infinity ? 0x7c00 : 0x7bff);
+  }
+  const auto mantissa = static_cast<std::uint16_t>(rounded);
+  // A subnormal has the exponent's field 0, like the bits above its mantissa.
+  return static_cast<std::uint16_t>(sign + ((exponent + 14) << 10) + mantissa);
+}
+
 template <int mode, class T>
 void add_arithmetic(std::vector<HostFunction>& functions, const std::string& rounding,
                     const std::string& type) {
@@ -83,6 +108,7 @@ template <int mode>
 void add_mode(std::vector<HostFunction>& functions, const std::string& rounding) {
   add_arithmetic<mode, float>(functions, rounding, "f32");
   add_arithmetic<mode, double>(functions, rounding, "f64");
+  functions.push_back(host_function("warpgrain_f16_" + rounding + "_f64", to_half<mode>));
   functions.push_back(host_function("warpgrain_f32_" + rounding + "_f64", convert<mode, float, double>));
   functions.push_back(
       host_function("warpgrain_f32_" + rounding + "_s64", convert<mode, float, std::int64_t>));

@@ -9,7 +9,7 @@
 namespace warpgrain::profiler {
 
 // warpgrain_OPERATION_ROUNDING_TYPE for add, mul, div, fma and sqrt of f32 and f64, and the conversions
-// warpgrain_TO_ROUNDING_FROM to f32 of f64, s64 and u64, and to f64 of s64 and u64.
+// warpgrain_TO_ROUNDING_FROM to f16 of f64, to f32 of f64, s64 and u64, and to f64 of s64 and u64.
 std::vector<HostFunction> directed_functions();
 
 }  // namespace warpgrain::profiler

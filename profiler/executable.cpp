@@ -3,8 +3,8 @@
 #include <llvm/IR/LLVMContext.h>
 #include <llvm/IR/Module.h>
 
-#include "core/error.hpp"
 #include "profiler/jit.hpp"
+#include "profiler/kernel_name.hpp"
 #include "profiler/launch_check.hpp"
 #include "profiler/ptx/graph_builder.hpp"
 #include "profiler/ptx/inline_calls.hpp"
@@ -61,6 +61,11 @@ class NativeExecutable final : public Executable {
       kernel_.parameters.push_back({p.name, static_cast<std::uint32_t>(p.bytes), p.alignment, p.pointer});
       kernel_.parameter_offsets.push_back(layout.parameter_offsets.at(p.name));
     }
+    if (layout.dynamic_shared != nullptr) {
+      kernel_.parameters.push_back({layout.dynamic_shared->name, 0, layout.dynamic_shared->alignment,
+                                    KernelParameter::Pointer::shared});
+      kernel_.parameter_offsets.push_back(layout.parameter_bytes);
+    }
     kernel_.parameter_bytes = layout.parameter_bytes;
     kernel_.required_local_size = kernel.required_local_size;
     for (const ptx::Variable& v : kernel.variables)
@@ -84,8 +89,7 @@ class NativeExecutable final : public Executable {
 std::unique_ptr<Executable> Executable::compile(std::string_view ptx, std::string_view kernel, TraceMode mode,
                                                 std::string_view where) {
   const ptx::Module module = ptx::parse(ptx, where);
-  const ptx::Function* entry = module.find_entry(kernel);
-  if (!entry) throw_unknown_name(where, "kernel", kernel, entry_names(module));
+  const ptx::Function* entry = module.find_entry(find_kernel(entry_names(module), kernel, where));
   return std::make_unique<NativeExecutable>(module, *entry, mode, where);
 }
 

@@ -34,6 +34,18 @@ std::uint32_t atomic_decrement(std::uint32_t* place, std::uint32_t bound) {
   return old;
 }
 
+// fns: the place of a set bit of the mask, counted from `base`: 0 asks for that one itself, n above 0 for the
+// n-th upwards, below 0 downwards. All ones when there is none.
+std::uint32_t find_nth_set(std::uint32_t mask, std::int32_t base, std::int32_t offset) {
+  const std::int32_t step = offset < 0 ? -1 : 1;
+  std::int64_t left = offset == 0 ? 1 : std::abs(static_cast<std::int64_t>(offset));
+  for (std::int32_t place = base; place >= 0 && place < 32; place += step) {
+    if ((mask >> place & 1) != 0 && --left == 0) return static_cast<std::uint32_t>(place);
+    if (offset == 0) break;
+  }
+  return ~std::uint32_t{0};
+}
+
 }  // namespace
 
 std::vector<HostFunction> host_functions() {
@@ -46,6 +58,7 @@ std::vector<HostFunction> host_functions() {
                                         host_function("warpgrain_tanh", host_tanh),
                                         host_function("warpgrain_printf", print_arguments),
                                         host_function("warpgrain_vprintf", print_packed),
+                                        host_function("warpgrain_find_nth_set", find_nth_set),
                                         host_function("warpgrain_atomic_inc", atomic_increment),
                                         host_function("warpgrain_atomic_dec", atomic_decrement),
                                     });

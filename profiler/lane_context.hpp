@@ -14,7 +14,8 @@ enum class LaneStatus : std::uint32_t {
   done,
   trace_exhausted,  // the lane was stopped at a loop: its trace is full
   endless_loop,     // the lane entered a loop that no branch leaves
-  trapped           // it ran a `trap`
+  trapped,          // it ran a `trap`
+  no_function       // it called through a pointer to none of the functions that it may reach
 };
 
 struct LaneContext {
@@ -37,6 +38,8 @@ struct LaneContext {
   std::uint32_t nctaid[3] = {};
   std::uint32_t linear_tid = 0;
   std::uint32_t work_group_size = 0;
+  std::uint32_t shared_bytes = 0;
+  std::uint64_t clock = 0;  // cycles that the lane believes to have run
 };
 
 using LaneFunction = void (*)(LaneContext*);

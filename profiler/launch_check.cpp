@@ -81,17 +81,25 @@ void check_arguments(const TranslatedKernel& kernel, std::span<const KernelArgum
   }
 }
 
+std::uint32_t dynamic_shared_offset(std::uint32_t static_bytes) {
+  return static_cast<std::uint32_t>((static_bytes + local_alignment - 1) / local_alignment * local_alignment);
+}
+
 std::vector<std::size_t> shared_offsets(const TranslatedKernel& kernel,
                                         std::span<const KernelArgument> arguments) {
-  std::vector<std::size_t> offsets;
+  std::vector<std::size_t> offsets(arguments.size() + 1);
   std::size_t end = kernel.graph.shared_bytes;
-  for (const KernelArgument& argument : arguments) {
-    if (argument.kind == KernelArgument::Kind::local)
+  const auto place = [&](std::size_t i) {
+    if (arguments[i].kind == KernelArgument::Kind::local)
       end = (end + local_alignment - 1) / local_alignment * local_alignment;
-    offsets.push_back(end);
-    if (argument.kind == KernelArgument::Kind::local) end += argument.local_bytes;
-  }
-  offsets.push_back(end);
+    offsets[i] = end;
+    if (arguments[i].kind == KernelArgument::Kind::local) end += arguments[i].local_bytes;
+  };
+  // Memory of the launch's size comes first: translated code knows its place.
+  const bool has_dynamic = kernel.has_dynamic_shared();
+  if (has_dynamic) place(arguments.size() - 1);
+  for (std::size_t i = 0; i + (has_dynamic ? 1 : 0) < arguments.size(); ++i) place(i);
+  offsets.back() = end;
   return offsets;
 }
 

@@ -19,7 +19,11 @@
 // hex       whole numbers are hexadecimal, and dumped so;  null  a null pointer;  ro, wo  what the kernel may
 // do (accepted) dump      print the buffer after the run
 //
-// Beyond Oclgrind: `file=PATH` reads raw bytes, relative to the launch file; the program may be PTX (`.ptx`).
+// A kernel that uses shared memory without a size (CUDA's `extern __shared__`) takes that size as one more
+// argument behind the others: <size=N>.
+//
+// Beyond Oclgrind: `file=PATH` reads raw bytes, relative to the launch file; the program may be PTX (`.ptx`)
+// or CUDA C++ (`.cu`).
 // The program stands relative to the launch file, too, or else to the working directory.
 
 #include <array>

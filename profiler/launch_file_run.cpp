@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "core/error.hpp"
+#include "profiler/cuda_frontend.hpp"
 #include "profiler/launch_arguments.hpp"
 #include "profiler/launch_file.hpp"
 #include "profiler/opencl_frontend.hpp"
@@ -22,8 +23,29 @@ std::string read_program(const LaunchFile& file) {
   std::ostringstream text;
   if (!in || !(text << in.rdbuf()))
     throw_input_error(fmt::format("{}: program '{}'", file.path.string(), file.program.string()),
-                      "cannot be read", "OpenCL C, or PTX in a .ptx file");
+                      "cannot be read", "OpenCL C, CUDA C++ in a .cu file, or PTX in a .ptx file");
   return text.str();
+}
+
+enum class Language : std::uint8_t { opencl, cuda, ptx };
+
+Language language_of(const LaunchFile& file) {
+  const std::filesystem::path extension = file.program.extension();
+  return extension == ".ptx" ? Language::ptx : extension == ".cu" ? Language::cuda : Language::opencl;
+}
+
+// Sets the PTX of the profile's source, and how it was made.
+void compile(Language language, const std::string& build_options, LaunchProfile& profile) {
+  if (language == Language::ptx) {
+    profile.ptx = profile.source;
+    return;
+  }
+  CompiledPtx compiled = language == Language::cuda
+                             ? compile_cuda(profile.source_name, build_options)
+                             : compile_opencl(profile.source, profile.source_name, build_options);
+  profile.ptx = std::move(compiled.ptx);
+  profile.compiler = std::move(compiled.compiler);
+  profile.compile_command = std::move(compiled.command);
 }
 
 }  // namespace
@@ -37,17 +59,11 @@ LaunchFileResult profile_launch_file(const LaunchFile& file, const std::string& 
 
   const Clock::time_point compile_begin = Clock::now();
   std::vector<ParameterDeclaration> declared;
-  if (file.program.extension() == ".ptx") {
-    profile.ptx = profile.source;
-  } else {
-    CompiledPtx compiled = compile_opencl(profile.source, profile.source_name, build_options);
-    profile.ptx = std::move(compiled.ptx);
-    profile.compiler = std::move(compiled.compiler);
-    profile.compile_command = std::move(compiled.command);
-  }
+  const Language language = language_of(file);
+  compile(language, build_options, profile);
   const TraceMode mode = options.addresses ? TraceMode::blocks_and_addresses : TraceMode::blocks;
   const auto executable = Executable::compile(profile.ptx, file.kernel, mode, profile.source_name);
-  if (!profile.compiler.empty())
+  if (language == Language::opencl)
     declared = declared_parameters(profile.source, profile.source_name, build_options, file.kernel);
   profile.compile_seconds = seconds_since(compile_begin);
 

@@ -17,6 +17,7 @@ struct TranslatedKernel {
   KernelGraph graph;
   TraceMode mode = TraceMode::none;
   LaneFunction lane = nullptr;
+  // Shared memory whose size the launch gives is the last one, of no bytes.
   std::vector<KernelParameter> parameters;
   std::vector<std::uint32_t> parameter_offsets;  // [parameters]
   std::uint32_t parameter_bytes = 0;
@@ -24,6 +25,7 @@ struct TranslatedKernel {
   std::uint32_t local_bytes = 0;  // .local memory of a lane, on its stack
   std::optional<std::array<std::uint32_t, 3>> required_local_size;
 
+  bool has_dynamic_shared() const { return !parameters.empty() && parameters.back().bytes == 0; }
   // "where: kernel 'name'"
   std::string place() const;
   // "file:line (PTX line n)" of the instruction in that line of the PTX.

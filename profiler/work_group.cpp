@@ -42,6 +42,7 @@ void GroupRunner::lay_out_parameters(std::span<const KernelArgument> arguments) 
 
   parameters_.resize(kernel_.parameter_bytes);
   for (std::size_t i = 0; i < arguments.size(); ++i) {
+    if (kernel_.parameters[i].bytes == 0) continue;  // no parameter: memory that the kernel names itself
     const KernelArgument& argument = arguments[i];
     std::byte* const place = parameters_.data() + kernel_.parameter_offsets[i];
     if (argument.kind == KernelArgument::Kind::scalar) {
@@ -59,6 +60,7 @@ void GroupRunner::place_lane(std::size_t index) {
   lane.parameters = parameters_.data();
   lane.shared = shared_->bytes().data();
   lane.printed = &printed_;
+  lane.shared_bytes = static_cast<std::uint32_t>(shared_->bytes().size());
   const auto linear = static_cast<std::uint32_t>(index);
   const auto& local = shape_.local_size;
   lane.tid[0] = linear % local[0];
@@ -86,6 +88,7 @@ void GroupRunner::prepare_lane(std::size_t index, const std::array<std::uint64_t
     traces_[index].addresses = lane.addresses;
   }
   lane.status = LaneStatus::done;
+  lane.clock = 0;
   for (std::size_t d = 0; d < 3; ++d) lane.ctaid[d] = static_cast<std::uint32_t>(group[d]);
 }
 
@@ -110,6 +113,9 @@ void GroupRunner::refuse_status(const LaneContext& lane, const std::array<std::u
   const std::string source = kernel_.source_of(lane.line);
   if (lane.status == LaneStatus::trapped)
     throw_input_error(where, fmt::format("it ran the trap at {}", source), "an end");
+  if (lane.status == LaneStatus::no_function)
+    throw_input_error(where, fmt::format("it called through a pointer at {} to no function", source),
+                      "the address of a function that fits the call and is not running");
   if (lane.status == LaneStatus::endless_loop)
     throw_input_error(where, fmt::format("it entered the loop at {}, which nothing leaves", source),
                       "an end");

@@ -57,6 +57,8 @@ class BodyParser {
 
   // `.reg .b32 %r<5>, %other;`: %r0 to %r4 and %other
   void parse_registers() {
+    // No instruction that is carried has 128 bits; one that has names a register that is not there.
+    if (cursor_.take_if_directive("b128")) return cursor_.skip_behind(';');
     const auto type =
         cursor_.peek().kind == Token::Kind::directive ? scalar_type(cursor_.peek().text) : std::nullopt;
     if (!type) cursor_.refuse_next("a scalar type");
@@ -102,18 +104,22 @@ class BodyParser {
     const std::uint32_t line = cursor_.peek().line;
     const std::string name = cursor_.expect_name("a label");
     cursor_.expect(':');
-    if (cursor_.take_if_directive("branchtargets")) {
-      auto& table = function_.branch_tables[name];
-      do {
-        table.push_back(cursor_.expect_name("a label"));
-      } while (cursor_.take_if(','));
-      cursor_.expect(';');
-      return;
-    }
-    if (cursor_.peek().is_directive("callprototype") || cursor_.peek().is_directive("calltargets"))
-      cursor_.refuse("an indirect call", "calls of functions by name");
+    if (cursor_.take_if_directive("branchtargets"))
+      return parse_names(function_.branch_tables[name], "a label");
+    // A prototype says what the arguments of its calls say as well.
+    if (cursor_.take_if_directive("callprototype")) return cursor_.skip_behind(';');
+    if (cursor_.take_if_directive("calltargets"))
+      return parse_names(function_.call_targets[name], "a function");
     if (!function_.labels.emplace(name, function_.statements.size()).second)
       cursor_.refuse_at(line, fmt::format("label '{}' stands twice in '{}'", name, function_.name));
+  }
+
+  // `first, second;`
+  void parse_names(std::vector<std::string>& names, std::string_view what) {
+    do {
+      names.push_back(cursor_.expect_name(what));
+    } while (cursor_.take_if(','));
+    cursor_.expect(';');
   }
 
   void parse_statement() {
@@ -196,6 +202,8 @@ class BodyParser {
     } else {
       operand.value = cursor_.expect_signed_integer("an address");
     }
+    // Coordinates, of textures and the like; their instructions are refused where they are run.
+    while (cursor_.take_if(',')) operand.elements.push_back(parse_operand());
     if (!cursor_.take_if(']')) cursor_.refuse_next("']'");
   }
 

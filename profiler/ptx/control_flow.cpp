@@ -11,7 +11,13 @@ namespace warpgrain::profiler::ptx {
 namespace {
 
 bool ends_lane(const Statement& s) { return s.opcode == "ret" || s.opcode == "exit" || s.opcode == "trap"; }
-bool is_branch(const Statement& s) { return s.opcode == "bra" || s.opcode == "brx"; }
+// What inlining leaves of a call through a pointer: the pointer and labels, where other calls have lists or
+// nothing.
+bool is_indirect_call(const Statement& s) {
+  return s.opcode == "call" && s.operands.size() > 1 &&
+         std::ranges::all_of(s.operands, [](const Operand& o) { return o.kind == Operand::Kind::name; });
+}
+bool is_branch(const Statement& s) { return s.opcode == "bra" || s.opcode == "brx" || is_indirect_call(s); }
 
 // [statements + 1]: whether a block begins at the statement, and the label by which a branch names it.
 struct Boundaries {
@@ -54,7 +60,12 @@ void connect(const Function& function, std::vector<Block>& blocks, std::string_v
       block.successors.push_back(static_cast<std::uint32_t>(b + 1));
     }
     const bool goes_on = !is_terminator(last) || last.guard;
-    if (goes_on && falls) block.successors.push_back(block_at(blocks, behind));
+    if (!goes_on || !falls) continue;
+    const std::uint32_t next = block_at(blocks, behind);
+    const bool listed =
+        std::find(block.successors.begin(), block.successors.end(), next) != block.successors.end();
+    // Of a plain branch both ways are listed even when they lead to one place.
+    if (!listed || last.opcode == "bra") block.successors.push_back(next);
   }
 }
 
@@ -105,10 +116,11 @@ std::vector<std::string> branch_targets(const Function& function, const Statemen
     if (statement.operands.size() != 1)
       throw_input_error(at(), fmt::format("'{}'", statement.text), "one label");
     targets.push_back(statement.operands[0].name);
+  } else if (statement.opcode == "call") {
+    for (std::size_t i = 1; i < statement.operands.size(); ++i) targets.push_back(statement.operands[i].name);
   } else {
-    if (statement.operands.size() != 2 || statement.guard)
-      throw_input_error(at(), fmt::format("'{}'", statement.text),
-                        "an index and a table, without a predicate");
+    if (statement.operands.size() != 2)
+      throw_input_error(at(), fmt::format("'{}'", statement.text), "an index and a table");
     const auto table = function.branch_tables.find(statement.operands[1].name);
     if (table == function.branch_tables.end() || table->second.empty())
       throw_input_error(at(), fmt::format("table '{}'", statement.operands[1].name),

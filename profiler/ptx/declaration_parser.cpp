@@ -58,6 +58,11 @@ Attributes parse_attributes(TokenCursor& cursor) {
     } else if (name == "v2" || name == "v4") {
       attributes.vector_width = name == "v2" ? 2 : 4;
       cursor.take();
+    } else if (name == "texref" || name == "samplerref" || name == "surfref") {
+      attributes.type = bits_type(64);  // a handle
+      cursor.take();
+    } else if (cursor.take_if_directive("attribute")) {
+      cursor.skip_behind(')');  // of memory that a host may reach
     } else if (cursor.take_if_directive("ptr")) {
       parse_pointer(cursor, attributes);
     } else {

@@ -113,16 +113,22 @@ void emit_mad_with_carry(Emitter& e, bool carry_in, bool carry_out) {
 
 void emit_madc(Emitter& e) { emit_mad_with_carry(e, true, e.modifiers().take("cc")); }
 
+// Saturated sums are of signed integers.
+Value* sum_of(Emitter& e, Value* a, Value* b, bool saturates) {
+  if (!saturates) return e.ir.CreateAdd(a, b);
+  return e.call_intrinsic(llvm::Intrinsic::sadd_sat, a->getType(), {a, b});
+}
+
 void emit_mad(Emitter& e) {
   if (e.modifiers().take("cc")) return emit_mad_with_carry(e, false, true);
   const std::string_view part = take_product_part(e);
   FloatOperation modes(e, FloatOperation::Rounding::any);
   const ScalarType type = e.take_type();
   if (type.is_float()) return emit_fma_of(e, modes, type);
-  if (part.empty() || modes.saturates()) e.refuse(".lo, .hi or .wide");
+  if (part.empty() || (modes.saturates() && part != "hi")) e.refuse(".lo, .hi or .wide, and .sat with .hi");
   ScalarType result;
   Value* value = product(e, part, type, result);
-  e.write(e.ir.CreateAdd(value, e.read(3, result)), result);
+  e.write(sum_of(e, value, e.read(3, result), modes.saturates()), result);
 }
 
 // The low or high 32 bits of the 48-bit product of the operands' low 24 bits.
@@ -144,8 +150,9 @@ void emit_mul24(Emitter& e) {
 
 void emit_mad24(Emitter& e) {
   const std::string_view part = e.modifiers().take_one_of({"lo", "hi"});
+  const bool saturates = e.modifiers().take("sat");
   const ScalarType type = e.take_type(Emitter::Types::integer);
-  e.write(e.ir.CreateAdd(product_24(e, type, part == "hi"), e.read(3, type)), type);
+  e.write(sum_of(e, product_24(e, type, part == "hi"), e.read(3, type), saturates), type);
 }
 
 // Division by zero and the one signed overflow stop the host; a device goes on. Quotient of x / 0: all ones,
@@ -202,13 +209,23 @@ void emit_neg(Emitter& e) {
   e.write(e.ir.CreateNeg(e.read(1, type)), type);
 }
 
-// One NaN gives the other operand, unless .NaN is asked for; -0 is below +0.
-void emit_float_extremum(Emitter& e, FloatOperation& modes, ScalarType type, bool is_min, bool keep_nan) {
+// One NaN gives the other operand, unless .NaN is asked for; -0 is below +0. With .xorsign.abs, of the
+// magnitudes, and negative where one of the two is.
+void emit_float_extremum(Emitter& e, FloatOperation& modes, ScalarType type, bool is_min) {
+  const bool keep_nan = e.modifiers().take("NaN");
+  const bool of_magnitudes = e.modifiers().take("xorsign") && e.modifiers().take("abs");
   Value* a = modes.input(1, type);
   Value* b = modes.input(2, type);
   llvm::Type* const bits = e.int_type(type.bits);
   Value* a_bits = e.ir.CreateBitCast(a, bits);
   Value* b_bits = e.ir.CreateBitCast(b, bits);
+  Value* sign = e.ir.CreateBitCast(e.ir.CreateXor(a_bits, b_bits), e.type(type));
+  if (of_magnitudes) {
+    a = e.call_intrinsic(llvm::Intrinsic::fabs, e.type(type), {a});
+    b = e.call_intrinsic(llvm::Intrinsic::fabs, e.type(type), {b});
+    a_bits = e.ir.CreateBitCast(a, bits);
+    b_bits = e.ir.CreateBitCast(b, bits);
+  }
   Value* a_wins = is_min ? e.ir.CreateFCmpOLT(a, b) : e.ir.CreateFCmpOGT(a, b);
   Value* result = e.ir.CreateSelect(a_wins, a, b);
   // Equal operands have equal bits, but for zeros of two signs.
@@ -216,18 +233,23 @@ void emit_float_extremum(Emitter& e, FloatOperation& modes, ScalarType type, boo
   result = e.ir.CreateSelect(e.ir.CreateFCmpOEQ(a, b), e.ir.CreateBitCast(of_equals, e.type(type)), result);
   result = e.ir.CreateSelect(e.ir.CreateFCmpUNO(b, b), keep_nan ? b : a, result);
   if (keep_nan) result = e.ir.CreateSelect(e.ir.CreateFCmpUNO(a, a), a, result);
+  if (of_magnitudes) result = e.call_intrinsic(llvm::Intrinsic::copysign, e.type(type), {result, sign});
   modes.output(result, type);
 }
 
 void emit_extremum(Emitter& e, bool is_min) {
   FloatOperation modes(e);
-  const bool keep_nan = e.modifiers().take("NaN");
+  const bool not_negative = e.modifiers().take("relu");
   const ScalarType type = e.take_type();
-  if (type.is_float()) return emit_float_extremum(e, modes, type, is_min, keep_nan);
+  if (not_negative && (!type.is_signed() || type.bits != 32)) e.refuse(".relu of s32");
+  if (type.is_float()) return emit_float_extremum(e, modes, type, is_min);
   const auto id = type.is_signed() ? (is_min ? llvm::Intrinsic::smin : llvm::Intrinsic::smax)
                                    : (is_min ? llvm::Intrinsic::umin : llvm::Intrinsic::umax);
   Value* a = e.read(1, type);
-  e.write(e.call_intrinsic(id, e.type(type), {a, e.read(2, type)}), type);
+  Value* result = e.call_intrinsic(id, e.type(type), {a, e.read(2, type)});
+  if (not_negative)
+    result = e.call_intrinsic(llvm::Intrinsic::smax, e.type(type), {result, e.ir.getInt32(0)});
+  e.write(result, type);
 }
 
 void emit_min(Emitter& e) { emit_extremum(e, true); }

@@ -183,15 +183,29 @@ void emit_brev(Emitter& e) {
   e.write(e.call_intrinsic(llvm::Intrinsic::bitreverse, e.type(type), {e.read(1, type)}), type);
 }
 
+// The modes of prmt as nibbles for its plain form, a row of 16 bits for each value of c's low two bits.
+std::optional<std::uint64_t> permutation_mode(std::string_view mode) {
+  static const std::unordered_map<std::string_view, std::uint64_t> modes{
+      {"f4e", 0x6543'5432'4321'3210}, {"b4e", 0x0123'7012'6701'5670}, {"rc8", 0x3333'2222'1111'0000},
+      {"ecl", 0x3333'3222'3211'3210}, {"ecr", 0x3210'2210'1110'0000}, {"rc16", 0x3232'1010'3232'1010}};
+  const auto found = modes.find(mode);
+  return found == modes.end() ? std::nullopt : std::optional(found->second);
+}
+
 // Byte i of the result is byte n of {b, a}, where n is nibble i of c; the nibble's top bit repeats that
 // byte's sign.
 void emit_prmt(Emitter& e) {
+  const auto mode = permutation_mode(e.modifiers().take_one_of({"f4e", "b4e", "rc8", "ecl", "ecr", "rc16"}));
   const ScalarType type = e.take_type(Emitter::Types::integer);
   if (type.bits != 32) e.refuse("b32");
   const auto widen = [&](Value* v) { return e.ir.CreateZExt(v, e.ir.getInt64Ty()); };
   Value* low = widen(e.read(1, type));
   Value* bytes = e.ir.CreateOr(e.ir.CreateShl(widen(e.read(2, type)), 32), low);
   Value* selector = e.read(3, type);
+  if (mode) {
+    Value* row = e.ir.CreateLShr(e.ir.getInt64(*mode), widen(e.ir.CreateShl(e.ir.CreateAnd(selector, 3), 4)));
+    selector = e.ir.CreateTrunc(row, e.ir.getInt32Ty());
+  }
   Value* result = e.ir.getInt32(0);
   for (unsigned i = 0; i < 4; ++i) {
     Value* nibble = e.ir.CreateLShr(selector, i * 4);

@@ -11,6 +11,15 @@ using llvm::Value;
 
 void take_accuracy(Emitter& e) { e.modifiers().take("approx"); }
 
+// The rough forms of f64, .approx.ftz, see and give the upper words alone: 20 bits of mantissa.
+Value* upper_word(Emitter& e, Value* value) {
+  Value* bits = e.ir.CreateAnd(e.ir.CreateBitCast(value, e.ir.getInt64Ty()), ~std::uint64_t{0xffffffff});
+  Value* exponent = e.ir.CreateAnd(bits, std::uint64_t{0x7ff} << 52);
+  Value* is_small = e.ir.CreateICmpEQ(exponent, e.ir.getInt64(0));
+  bits = e.ir.CreateSelect(is_small, e.ir.CreateAnd(bits, std::uint64_t{1} << 63), bits);
+  return e.ir.CreateBitCast(bits, value->getType());
+}
+
 void emit_sqrt(Emitter& e) {
   FloatOperation modes(e, FloatOperation::Rounding::any);
   take_accuracy(e);
@@ -23,9 +32,12 @@ void emit_rcp(Emitter& e) {
   FloatOperation modes(e, FloatOperation::Rounding::any);
   take_accuracy(e);
   const ScalarType type = e.take_type(Emitter::Types::floating);
+  const bool rough = modes.flushes() && type.bits == 64;
   Value* x = modes.input(1, type);
+  if (rough) x = upper_word(e, x);
   Value* one = llvm::ConstantFP::get(e.type(type), 1.0);
-  modes.output(modes.rounded("div", {one, x}, e.ir.CreateFDiv(one, x)), type);
+  Value* result = modes.rounded("div", {one, x}, e.ir.CreateFDiv(one, x));
+  modes.output(rough ? upper_word(e, result) : result, type);
 }
 
 void emit_rsqrt(Emitter& e) {
@@ -34,8 +46,12 @@ void emit_rsqrt(Emitter& e) {
   const ScalarType type = e.take_type(Emitter::Types::floating);
   // In double, so that two roundings to float do not add up.
   llvm::Type* const f64 = e.ir.getDoubleTy();
-  Value* root = e.call_intrinsic(llvm::Intrinsic::sqrt, f64, {e.ir.CreateFPExt(modes.input(1, type), f64)});
+  const bool rough = modes.flushes() && type.bits == 64;
+  Value* x = e.ir.CreateFPExt(modes.input(1, type), f64);
+  if (rough) x = upper_word(e, x);
+  Value* root = e.call_intrinsic(llvm::Intrinsic::sqrt, f64, {x});
   Value* result = e.ir.CreateFDiv(llvm::ConstantFP::get(f64, 1.0), root);
+  if (rough) result = upper_word(e, result);
   modes.output(e.ir.CreateFPTrunc(result, e.type(type)), type);
 }
 

@@ -1,5 +1,6 @@
 #include "profiler/ptx/emitter.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <fmt/format.h>
@@ -15,6 +16,7 @@ Emitter::Emitter(llvm::IRBuilder<>& builder, llvm::Value* lane_context, const Mo
     : ir(builder),
       lane_context_(lane_context),
       module_(module),
+      kernel_(kernel),
       layout_(layout),
       trace_(trace),
       where_(where),
@@ -41,20 +43,34 @@ Emitter::Emitter(llvm::IRBuilder<>& builder, llvm::Value* lane_context, const Mo
 void Emitter::begin(const Statement& statement) {
   statement_ = &statement;
   modifiers_.emplace(statement);
+  operands_used_ = 0;
 }
 
 void Emitter::end() {
   if (!modifiers_->left_over().empty()) refuse(fmt::format("it without '.{}'", modifiers_->left_over()));
 }
 
+void Emitter::refuse_surplus_operands() const {
+  const auto& modifiers = statement_->modifiers;
+  const bool has_policy =
+      std::ranges::any_of(modifiers, [](const std::string& m) { return m.ends_with("::cache_hint"); });
+  const std::size_t expected = operands_used_ + (has_policy ? 1 : 0);
+  if (operand_count() > expected) refuse(fmt::format("{} operands", expected));
+}
+
 const Operand& Emitter::operand(std::size_t index) const {
   if (index >= statement_->operands.size()) refuse("more operands");
+  operands_used_ = std::max(operands_used_, index + 1);
   return statement_->operands[index];
 }
 
 ScalarType Emitter::take_type(Types types) {
   const auto taken = modifiers_->take_type();
-  if (!taken) refuse("a type");
+  if (!taken) {
+    const std::string_view other = modifiers_->take_one_of(
+        {"bf16", "bf16x2", "f16x2", "tf32", "e4m3", "e5m2", "e4m3x2", "e5m2x2", "u16x2", "s16x2", "b128"});
+    refuse(other.empty() ? "a type" : fmt::format("a type other than '.{}'", other));
+  }
   const bool fits = types == Types::any || (types == Types::number && !taken->is_predicate()) ||
                     (types == Types::floating && taken->is_float()) ||
                     (types == Types::integer && !taken->is_float() && !taken->is_predicate()) ||
@@ -114,11 +130,15 @@ llvm::Value* Emitter::read_name(const Operand& operand, ScalarType as) {
     const Register& r = found->second;
     return convert_bits(ir.CreateLoad(type(r.type), r.storage), r.type, as);
   }
-  if (llvm::Value* special = special_register(operand.name)) return convert_bits(special, bits_type(32), as);
+  if (llvm::Value* special = special_register(operand.name))
+    return convert_bits(special,
+                        bits_type(static_cast<std::uint8_t>(special->getType()->getIntegerBitWidth())), as);
   if (llvm::Value* symbol = symbol_pointer(operand.name)) {
     llvm::Value* address = ir.CreatePtrToInt(symbol, ir.getInt64Ty());
     return convert_bits(ir.CreateAdd(address, ir.getInt64(operand.value)), bits_type(64), as);
   }
+  if (const auto address = module_.function_address(operand.name))
+    return convert_bits(ir.getInt64(*address), bits_type(64), as);
   throw_input_error(place(where_, module_, *statement_),
                     fmt::format("'{}' in '{}'", operand.name, statement_->text),
                     "a declared register, a known special register or a symbol of the module");

@@ -25,6 +25,8 @@ class Emitter {
   void begin(const Statement& statement);
   // Refuses it when one of its modifiers has not been taken.
   void end();
+  // Refuses it when it has operands behind those that were asked for, but for a cache policy.
+  void refuse_surplus_operands() const;
 
   const Statement& statement() const { return *statement_; }
   ModifierReader& modifiers() { return *modifiers_; }
@@ -52,6 +54,8 @@ class Emitter {
 
   // The host address that an address operand or a symbol stands for.
   llvm::Value* pointer(const Operand& operand);
+  // Whether a generic address, an i64, lies in a state space: an i1.
+  llvm::Value* lies_in(StateSpace space, llvm::Value* address);
   // A field of the lane's context; it does not change while the lane runs.
   llvm::Value* context_field(std::size_t offset, llvm::Type* type);
   llvm::Value* context_pointer(std::size_t offset);
@@ -83,13 +87,15 @@ class Emitter {
 
   llvm::Value* read_name(const Operand& operand, ScalarType type);
   llvm::Value* symbol_pointer(const std::string& name);    // null: no such symbol
-  llvm::Value* special_register(const std::string& name);  // an i32; null: none
+  llvm::Value* special_register(const std::string& name);  // an i32 or i64; null: none
+  llvm::Value* read_clock();
   llvm::GlobalVariable* module_variable(const Variable& variable);
   llvm::Type* storage_type(const Variable& variable) const;
   llvm::Constant* initial_value(const Variable& variable);
 
   llvm::Value* lane_context_;
   const Module& module_;
+  const Function& kernel_;
   const MemoryLayout& layout_;
   TraceEmitter& trace_;
   std::string_view where_;
@@ -99,6 +105,7 @@ class Emitter {
   std::unordered_map<std::string, llvm::GlobalVariable*> globals_;
   llvm::AllocaInst* carry_ = nullptr;
   const Statement* statement_ = nullptr;
+  mutable std::size_t operands_used_ = 0;
   std::optional<ModifierReader> modifiers_;
 };
 

@@ -39,8 +39,56 @@ llvm::Value* Emitter::special_register(const std::string& name) {
   if (name == "%lanemask_lt") return ir.CreateSub(bit(), ir.getInt32(1));
   if (name == "%lanemask_ge") return ir.CreateNeg(bit());
   if (name == "%lanemask_le") return ir.CreateOr(bit(), ir.CreateSub(bit(), ir.getInt32(1)));
+  if (name == "%clock") return ir.CreateTrunc(read_clock(), u32);
+  if (name == "%clock_hi") return ir.CreateTrunc(ir.CreateLShr(read_clock(), 32), u32);
+  if (name == "%clock64" || name == "%globaltimer") return read_clock();
+  if (name == "%globaltimer_lo") return ir.CreateTrunc(read_clock(), u32);
+  if (name == "%globaltimer_hi") return ir.CreateTrunc(ir.CreateLShr(read_clock(), 32), u32);
+  // One multiprocessor, and one grid at a time.
+  if (name == "%smid") return ir.getInt32(0);
+  if (name == "%nsmid") return ir.getInt32(1);
+  if (name == "%gridid") return ir.getInt64(0);
   if (name == "%lanemask_gt") return ir.CreateNot(ir.CreateOr(bit(), ir.CreateSub(bit(), ir.getInt32(1))));
   return nullptr;
+}
+
+// No time passes in the simulator: each reading is a hundred cycles behind the lane's last one, so that loops
+// that wait for time end and results can be repeated.
+llvm::Value* Emitter::read_clock() {
+  llvm::Value* field = context_pointer(offsetof(LaneContext, clock));
+  llvm::Value* now = ir.CreateAdd(ir.CreateLoad(ir.getInt64Ty(), field), ir.getInt64(100));
+  ir.CreateStore(now, field);
+  return now;
+}
+
+llvm::Value* Emitter::lies_in(StateSpace space, llvm::Value* address) {
+  const auto within = [&](llvm::Value* begin, llvm::Value* bytes) {
+    llvm::Value* offset = ir.CreateSub(address, ir.CreatePtrToInt(begin, ir.getInt64Ty()));
+    return ir.CreateICmpULT(offset, ir.CreateZExt(bytes, ir.getInt64Ty()));
+  };
+  llvm::Value* found = ir.getFalse();
+  switch (space) {
+    case StateSpace::shared:
+      return within(context_field(offsetof(LaneContext, shared), ir.getPtrTy()),
+                    context_field(offsetof(LaneContext, shared_bytes), ir.getInt32Ty()));
+    case StateSpace::parameter:
+      return within(context_field(offsetof(LaneContext, parameters), ir.getPtrTy()),
+                    ir.getInt32(layout_.parameter_bytes));
+    case StateSpace::local:
+      for (const Variable& variable : kernel_.variables)
+        if (variable.space == StateSpace::local)
+          found = ir.CreateOr(found, within(memory_.at(variable.name), ir.getInt64(variable.bytes)));
+      return found;
+    case StateSpace::constant:
+      for (const Variable& variable : module_.variables)
+        if (variable.space == StateSpace::constant && !variable.external)
+          found = ir.CreateOr(found, within(module_variable(variable), ir.getInt64(variable.bytes)));
+      return found;
+    default:
+      for (const StateSpace other : {StateSpace::shared, StateSpace::local, StateSpace::parameter})
+        found = ir.CreateOr(found, lies_in(other, address));
+      return ir.CreateNot(found);
+  }
 }
 
 llvm::Value* Emitter::symbol_pointer(const std::string& name) {
@@ -97,14 +145,16 @@ llvm::Constant* Emitter::initial_value(const Variable& variable) {
   std::uint64_t done = 0;
   for (const Relocation& relocation : variable.relocations) {
     const Variable* target = module_.find_variable(relocation.symbol);
-    if (!target)
+    const auto function = module_.function_address(relocation.symbol);
+    if (!target && !function)
       throw_input_error(place(where_, variable.line),
                         fmt::format("the address of '{}' in '{}'", relocation.symbol, variable.name),
-                        "a variable of this module");
+                        "a variable or function of this module");
     parts.push_back(bytes(done, relocation.offset));
-    parts.push_back(
-        llvm::ConstantExpr::getAdd(llvm::ConstantExpr::getPtrToInt(module_variable(*target), ir.getInt64Ty()),
-                                   ir.getInt64(relocation.addend)));
+    llvm::Constant* address = target
+                                  ? llvm::ConstantExpr::getPtrToInt(module_variable(*target), ir.getInt64Ty())
+                                  : static_cast<llvm::Constant*>(ir.getInt64(*function));
+    parts.push_back(llvm::ConstantExpr::getAdd(address, ir.getInt64(relocation.addend)));
     done = relocation.offset + 8;
   }
   parts.push_back(bytes(done, variable.bytes));

@@ -16,6 +16,7 @@ class FloatOperation {
   llvm::Value* rounded(std::string_view operation, llvm::ArrayRef<llvm::Value*> inputs, llvm::Value* nearest);
 
   bool saturates() const { return saturates_; }
+  bool flushes() const { return flushes_; }
   llvm::Value* input(std::size_t operand, ScalarType type);
   // Writes the result to the first operand.
   void output(llvm::Value* value, ScalarType type);

@@ -16,10 +16,17 @@ const InstructionTable& arithmetic_instructions();  // add, mul, fma, div, min, 
 const InstructionTable& float_instructions();       // rcp, sqrt, sin, ...
 const InstructionTable& bit_instructions();         // and, shl, bfe, popc, ...
 const InstructionTable& compare_instructions();     // setp, selp, ...
-const InstructionTable& move_instructions();        // mov, cvt, cvta
+const InstructionTable& move_instructions();        // mov, cvta
+const InstructionTable& integer_instructions();     // dp4a, bmsk, szext, ...
+const InstructionTable& convert_instructions();     // cvt
+const InstructionTable& other_instructions();       // nanosleep, isspacep, hints
 const InstructionTable& memory_instructions();      // ld, st, atom, red, fences
 const InstructionTable& barrier_instructions();     // bar, barrier
 const InstructionTable& warp_instructions();        // shfl, vote, match, ...
+
+// What a kernel should be that has no such instruction, "a kernel without textures"; empty for an opcode that
+// no version of PTX has.
+std::string_view what_is_expected_instead(std::string_view opcode);
 
 // Shared by the families.
 llvm::Value* flush_subnormal(Emitter& emitter,

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/error.hpp"
+#include "profiler/launch_check.hpp"
 #include "profiler/ptx/place.hpp"
 
 namespace warpgrain::profiler::ptx {
@@ -35,11 +36,7 @@ MemoryLayout lay_out(const Module& module, const Function& kernel, std::string_v
   for (const Variable& parameter : kernel.parameters)
     layout.parameter_offsets[parameter.name] = append(parameter, layout.parameter_bytes, where);
   const auto add_shared = [&](const Variable& variable) {
-    if (variable.space == StateSpace::shared && variable.external)
-      throw_input_error(place(where, variable.line),
-                        fmt::format("'{}' of the launch's choice of size", variable.name),
-                        "shared memory of a size given here, or a parameter that points to it");
-    if (variable.space == StateSpace::shared)
+    if (variable.space == StateSpace::shared && !variable.external)
       layout.shared_offsets[variable.name] = append(variable, layout.shared_bytes, where);
   };
   for (const Variable& variable : kernel.variables) add_shared(variable);
@@ -48,6 +45,11 @@ MemoryLayout lay_out(const Module& module, const Function& kernel, std::string_v
     for (const Operand& operand : statement.operands) collect_names(operand, named);
   for (const Variable& variable : module.variables)
     if (named.count(variable.name)) add_shared(variable);
+  for (const Variable& variable : module.variables) {
+    if (!named.count(variable.name) || variable.space != StateSpace::shared || !variable.external) continue;
+    layout.dynamic_shared = &variable;
+    layout.shared_offsets[variable.name] = dynamic_shared_offset(layout.shared_bytes);
+  }
   return layout;
 }
 

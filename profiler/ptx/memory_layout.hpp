@@ -15,6 +15,9 @@ struct MemoryLayout {
   std::unordered_map<std::string, std::uint32_t>
       shared_offsets;  // in the work-group's block of shared memory
   std::uint32_t shared_bytes = 0;
+  // Shared memory whose size the launch gives (.extern .shared) lies behind the static one, all variables at
+  // one place.
+  const Variable* dynamic_shared = nullptr;
 };
 
 // `kernel` is an entry without calls. Of the module's shared variables only those that it names count.

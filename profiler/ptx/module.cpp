@@ -12,6 +12,7 @@ const Function* Module::find_entry(std::string_view name) const {
 }
 
 const Function* Module::find_function(std::string_view name) const {
+  if (const auto alias = aliases.find(name); alias != aliases.end()) name = alias->second;
   const Function* declaration = nullptr;
   for (const Function& f : functions) {
     if (f.is_entry || f.name != name) continue;
@@ -19,6 +20,13 @@ const Function* Module::find_function(std::string_view name) const {
     declaration = &f;
   }
   return declaration;
+}
+
+std::optional<std::uint64_t> Module::function_address(std::string_view name) const {
+  const Function* const function = find_function(name);
+  if (!function || !function->has_body) return std::nullopt;
+  // Places in a page that nobody can read, in steps as code has them.
+  return 16 * static_cast<std::uint64_t>(function - functions.data() + 1);
 }
 
 const Variable* Module::find_variable(std::string_view name) const {

@@ -83,11 +83,13 @@ struct Function {
   std::vector<Statement> statements;
   std::unordered_map<std::string, std::size_t> labels;  // index of the statement behind it
   std::unordered_map<std::string, std::vector<std::string>> branch_tables;  // .branchtargets
+  std::unordered_map<std::string, std::vector<std::string>> call_targets;   // .calltargets
   std::optional<std::array<std::uint32_t, 3>> required_local_size;          // .reqntid
 };
 
 struct Module {
-  std::map<std::uint32_t, std::string> files;  // .file
+  std::map<std::uint32_t, std::string> files;               // .file
+  std::map<std::string, std::string, std::less<>> aliases;  // .alias: name -> function
   // `.target ..., texmode_independent`: how OpenCL's drivers want it, and CUDA's never do.
   bool is_opencl = false;
   std::vector<Variable> variables;
@@ -96,6 +98,8 @@ struct Module {
   const Function* find_entry(std::string_view name) const;
   const Function* find_function(std::string_view name) const;  // a .func with a body, else its declaration
   const Variable* find_variable(std::string_view name) const;
+  // What a pointer to a device function holds; nothing when there is none of that name with a body.
+  std::optional<std::uint64_t> function_address(std::string_view name) const;
 };
 
 }  // namespace warpgrain::profiler::ptx

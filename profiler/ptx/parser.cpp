@@ -42,6 +42,11 @@ class ModuleParser {
       cursor_.expect(';');
     } else if (name == "visible" || name == "weak" || name == "common") {
       // Linkage matters to no single module.
+    } else if (name == "alias") {
+      const std::string alias = cursor_.expect_name("a function's other name");
+      cursor_.expect(',');
+      module_.aliases[alias] = cursor_.expect_name("a function");
+      cursor_.expect(';');
     } else if (name == "extern") {
       external_ = true;
     } else if (name == "entry" || name == "func") {

@@ -51,6 +51,13 @@ std::uint64_t TokenCursor::expect_signed_integer(std::string_view what) {
   return minus ? ~magnitude + 1 : magnitude;
 }
 
+void TokenCursor::skip_behind(char punctuation) {
+  while (!take_if(punctuation)) {
+    if (at_end()) refuse_next(fmt::format("'{}'", punctuation));
+    take();
+  }
+}
+
 void TokenCursor::skip_braces() {
   const std::uint32_t opened = peek().line;
   expect('{');

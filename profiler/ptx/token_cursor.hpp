@@ -31,6 +31,7 @@ class TokenCursor {
   // An integer with an optional sign, in two's complement.
   std::uint64_t expect_signed_integer(std::string_view what);
   void skip_braces();  // from '{' to its '}'
+  void skip_behind(char punctuation);
 
   // The text from `first` to the token before the present one, blanks and line breaks made single blanks.
   std::string text_since(const Token& first) const;

@@ -126,15 +126,17 @@ class Translator {
       return;
     }
     find_instruction(statement)(emitter_);
+    emitter_.refuse_surplus_operands();
     emitter_.end();
   }
 
   InstructionEmitter find_instruction(const Statement& statement) const {
     for (const InstructionTable* table :
          {&arithmetic_instructions(), &float_instructions(), &bit_instructions(), &compare_instructions(),
-          &move_instructions(), &memory_instructions(), &barrier_instructions(), &warp_instructions()})
+          &move_instructions(), &memory_instructions(), &barrier_instructions(), &warp_instructions(),
+          &integer_instructions(), &convert_instructions(), &other_instructions()})
       if (const auto found = table->find(statement.opcode); found != table->end()) return found->second;
-    emitter_.refuse();
+    emitter_.refuse(what_is_expected_instead(statement.opcode));
   }
 
   llvm::Value* read_guard(const Statement& statement) {
@@ -148,7 +150,9 @@ class Translator {
     emitter_.begin(statement);
     emitter_.modifiers().take("uni");
     if (statement.opcode == "brx") {
-      emit_table_branch(statement);
+      emit_table_branch(block, statement);
+    } else if (statement.opcode == "call") {
+      emit_indirect_call(statement);
     } else if (statement.opcode == "bra" || statement.guard) {
       emit_branch(block, statement);
     } else {
@@ -175,14 +179,31 @@ class Translator {
     ir_.CreateCondBr(condition, taken, starts_[block.successors.back()]);
   }
 
-  void emit_table_branch(const Statement& statement) {
+  void emit_table_branch(const Block& block, const Statement& statement) {
     emitter_.modifiers().take("idx");
+    if (statement.guard) {
+      llvm::BasicBlock* table = new_block("table");
+      ir_.CreateCondBr(read_guard(statement), table, starts_[block_at(blocks_, block.last)]);
+      ir_.SetInsertPoint(table);
+    }
     const std::vector<std::string> targets = branch_targets(kernel_, statement, where_);
     llvm::Value* index = emitter_.read(0, bits_type(32));
     // An index beyond the table is undefined in PTX; it takes the last entry.
     llvm::SwitchInst* table =
         ir_.CreateSwitch(index, start_of(targets.back()), static_cast<unsigned>(targets.size()));
     for (std::uint32_t i = 0; i < targets.size(); ++i) table->addCase(ir_.getInt32(i), start_of(targets[i]));
+  }
+
+  void emit_indirect_call(const Statement& statement) {
+    llvm::Value* function = emitter_.read(0, bits_type(64));
+    llvm::BasicBlock* call = ir_.GetInsertBlock();
+    llvm::BasicBlock* none = new_block("no_function");
+    ir_.SetInsertPoint(none);
+    stop_lane(LaneStatus::no_function, statement.line);
+    ir_.SetInsertPoint(call);
+    llvm::SwitchInst* functions = ir_.CreateSwitch(function, none);
+    for (std::size_t i = 1; i < statement.operands.size(); ++i)
+      functions->addCase(ir_.getInt64(statement.operands[i].value), start_of(statement.operands[i].name));
   }
 
   llvm::BasicBlock* start_of(const std::string& label) const {

@@ -60,6 +60,17 @@ TEST(EmitArithmetic, IntegerSumsAndProducts) {
                  const i64 x = i32(u32(a) << 8) >> 8, y = i32(u32(b) << 8) >> 8;
                  return wrap<i32>(static_cast<u64>((x * y) >> 16) + static_cast<u64>(i64{c}));
                }));
+  const auto cut = [](i64 x) { return static_cast<i32>(std::clamp<i64>(x, INT32_MIN, INT32_MAX)); };
+  bench.expect("mad.hi.sat.s32 %r3, %r0, %r1, %r2;", "%r3",
+               on<i32>([cut](i32 a, i32 b, i32 c) { return cut(((i64{a} * b) >> 32) + c); }));
+  bench.expect("mad24.hi.sat.s32 %r3, %r0, %r1, %r2;", "%r3", on<i32>([cut](i32 a, i32 b, i32 c) {
+                 const i64 x = i32(u32(a) << 8) >> 8, y = i32(u32(b) << 8) >> 8;
+                 return cut(static_cast<i32>((x * y) >> 16) + i64{c});
+               }));
+  bench.expect("min.relu.s32 %r3, %r0, %r1;", "%r3",
+               on<i32>([](i32 a, i32 b) { return std::max(std::min(a, b), 0); }));
+  bench.expect("max.relu.s32 %r3, %r0, %r1;", "%r3",
+               on<i32>([](i32 a, i32 b) { return std::max(std::max(a, b), 0); }));
   bench.expect("sad.s32 %r3, %r0, %r1, %r2;", "%r3", on<i32>([](i32 a, i32 b, i32 c) {
                  return wrap<i32>(static_cast<u64>(std::abs(i64{a} - b)) + static_cast<u64>(i64{c}));
                }));

@@ -1,3 +1,4 @@
+#include <array>
 #include <bit>
 
 #include "tests/profiler/instruction_bench.hpp"
@@ -138,6 +139,28 @@ TEST(EmitBits, CountsAndPermutations) {
                  }
                  return result;
                }));
+  // Bytes of {b, a} by the mode and the low two bits of c, the highest first, as the manual's table has them.
+  const auto chosen = [](u32 a, u32 b, const int(&bytes)[4]) {
+    u32 result = 0;
+    for (const int byte : bytes)
+      result = result << 8 | (static_cast<u32>((u64{b} << 32 | a) >> (8 * byte)) & 255);
+    return result;
+  };
+  const auto add = [&](const std::string& mode, const int(&rows)[4][4]) {
+    std::vector<std::array<int, 4>> table;
+    for (const auto& row : rows) table.push_back(std::to_array(row));
+    bench.expect(fmt::format("prmt.b32.{} %r3, %r0, %r1, %r2;", mode), "%r3",
+                 on<u32>([=](u32 a, u32 b, u32 c) {
+                   const auto& row = table[c & 3];
+                   return chosen(a, b, {row[0], row[1], row[2], row[3]});
+                 }));
+  };
+  add("f4e", {{3, 2, 1, 0}, {4, 3, 2, 1}, {5, 4, 3, 2}, {6, 5, 4, 3}});
+  add("b4e", {{5, 6, 7, 0}, {6, 7, 0, 1}, {7, 0, 1, 2}, {0, 1, 2, 3}});
+  add("rc8", {{0, 0, 0, 0}, {1, 1, 1, 1}, {2, 2, 2, 2}, {3, 3, 3, 3}});
+  add("ecl", {{3, 2, 1, 0}, {3, 2, 1, 1}, {3, 2, 2, 2}, {3, 3, 3, 3}});
+  add("ecr", {{0, 0, 0, 0}, {1, 1, 1, 0}, {2, 2, 1, 0}, {3, 2, 1, 0}});
+  add("rc16", {{1, 0, 1, 0}, {3, 2, 3, 2}, {1, 0, 1, 0}, {3, 2, 3, 2}});
   bench.run(integer_inputs());
 }
 

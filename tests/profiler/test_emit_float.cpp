@@ -40,6 +40,34 @@ TEST(EmitFloat, Doubles) {
   bench.run(double_inputs());
 }
 
+// .approx.ftz of f64 sees and gives the upper words alone.
+TEST(EmitFloat, RoughReciprocalsOfDoubles) {
+  const auto upper = [](double x) {
+    const auto cut = from_bits<double>(to_bits(x) & ~std::uint64_t{0xffffffff});
+    return std::fpclassify(cut) == FP_SUBNORMAL ? std::copysign(0.0, cut) : cut;
+  };
+  InstructionBench bench;
+  bench.expect("rcp.approx.ftz.f64 %g3, %g0;", "%g3",
+               on<double>([=](double x) { return upper(1.0 / upper(x)); }));
+  bench.expect("rsqrt.approx.ftz.f64 %g3, %g0;", "%g3",
+               on<double>([=](double x) { return upper(1.0 / std::sqrt(upper(x))); }));
+  bench.run(double_inputs());
+}
+
+TEST(EmitFloat, ExtremaOfMagnitudesWithTheProductsSign) {
+  InstructionBench bench;
+  const auto signed_as = [](float value, float a, float b) {
+    return std::copysign(value, std::signbit(a) == std::signbit(b) ? 1.0f : -1.0f);
+  };
+  bench.expect("min.xorsign.abs.f32 %f3, %f0, %f1;", "%f3", on<float>([=](float a, float b) {
+                 return signed_as(std::fmin(std::fabs(a), std::fabs(b)), a, b);
+               }));
+  bench.expect("max.xorsign.abs.f32 %f3, %f0, %f1;", "%f3", on<float>([=](float a, float b) {
+                 return signed_as(std::fmax(std::fabs(a), std::fabs(b)), a, b);
+               }));
+  bench.run(float_inputs());
+}
+
 TEST(EmitFloat, Classes) {
   InstructionBench bench;
   const auto add = [&bench](const char* name, auto test) {
