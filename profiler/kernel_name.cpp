@@ -23,12 +23,12 @@ std::size_t parameters_at(std::string_view name) {
   return name.size();
 }
 
-// Behind the last blank and, when they are not wanted, the namespaces outside of <...>.
+// Behind the last blank and, when they are not wanted, the namespaces, outside of <...> and (...).
 std::string_view last_part(std::string_view name, bool keep_namespaces) {
   int depth = 0;
   for (std::size_t i = name.size(); i-- > 0;) {
-    if (name[i] == '>') ++depth;
-    if (name[i] == '<') --depth;
+    if (name[i] == '>' || name[i] == ')') ++depth;
+    if (name[i] == '<' || name[i] == '(') --depth;
     if (depth == 0 && (name[i] == ' ' || (name[i] == ':' && !keep_namespaces))) return name.substr(i + 1);
   }
   return name;

@@ -72,7 +72,7 @@ class Lexer {
       token.kind = Token::Kind::identifier;
       ++position_;
       take_name();
-    } else if (peek() == '.' && (starts_name(peek(1)))) {
+    } else if (peek() == '.' && continues_name(peek(1))) {  // .2d begins with a digit
       token.kind = Token::Kind::directive;
       ++position_;
       take_directive();

@@ -124,7 +124,7 @@ TEST(InlineCalls, ThroughAPointerBranchesToWhatFits) {
 
 TEST(InlineCalls, ThroughAPointerToNoFunctionStops) {
   EXPECT_THAT(refusal([] { run("call (b), %d3, (a), few;"); }),
-              HasSubstr("work-item 1: it called through a pointer at PTX line 22 to no function"));
+              HasSubstr("work-item 1: it called through a pointer at PTX line 21 to no function"));
   EXPECT_THAT(refusal([] { run("mov.u64 %d3, 0; call (b), %d3, (a), type;"); }), HasSubstr("to no function"));
   EXPECT_THAT(
       refusal([] { run("mov.u64 %d3, itself; call (b), %d3, (a), type;"); }),
