@@ -170,7 +170,7 @@ TEST(Parser, RefusesByLine) {
   EXPECT_THAT(refused(".const .b8 a[2] = {1,2,3};"), HasSubstr("too many initial values for 'a'"));
   EXPECT_THAT(refused(".const .u32 a = b;"), HasSubstr("64-bit elements"));
   EXPECT_THAT(refused(".global .b8 a[99999999999];"), HasSubstr("at most"));
-  EXPECT_THAT(refused(".alias a, b;"), HasSubstr("directive '.alias'"));
+  EXPECT_THAT(refused(".banana a, b;"), HasSubstr("directive '.banana'"));
   EXPECT_THAT(refused(".entry k() { add.u32 %r1,; }"), HasSubstr("';'; expected an operand"));
   EXPECT_EQ(refusal([] { parse(".version 7.5 .address_size 32", "m.ptx"); }),
             "m.ptx, PTX line 1: an address size other than 64; expected 64-bit PTX");
