@@ -33,20 +33,18 @@ struct Options {
   std::string html;
 };
 
-reports::Report profile_launch_file(const Options& options, Progress& progress) {
+reports::Report profile_launch_file(const Options& options, const profiler::ProfileOptions& how) {
   const profiler::LaunchFile file = profiler::read_launch_file(options.launch);
-  const auto result = profiler::profile_launch_file(
-      file, options.build_options, options.simulator.profile_options(options.device, progress), std::cout);
+  const auto result = profiler::profile_launch_file(file, options.build_options, how, std::cout);
   return reports::make_report(std::span(&result.profile, 1), command_line());
 }
 
-reports::Report profile_scene(const Options& options, Progress& progress) {
+reports::Report profile_scene(const Options& options, const profiler::ProfileOptions& how,
+                              Progress& progress) {
   const Scene scene = options.scene.load();
   const Variant variant = options.variant.resolve(scene);
   const Scene at_step = advanced(scene, variant, options.device.backend_options(), options.at_step, progress);
-  const auto launches =
-      profile_step(at_step, variant, options.simulator.profile_options(options.device, progress),
-                   options.device.backend_options());
+  const auto launches = profile_step(at_step, variant, how, options.device.backend_options());
   reports::Report report = reports::make_report(launches, command_line());
   report.scene = scene.name;
   report.variant = variant.name();
@@ -56,13 +54,14 @@ reports::Report profile_scene(const Options& options, Progress& progress) {
 }
 
 int profile(const Options& options) {
+  Progress progress(options.output.quiet);
+  const profiler::ProfileOptions how = options.simulator.profile_options(options.device, progress);
   if (options.launch.empty() == options.scene.scene.empty())
     throw_input_error("warpgrain profile",
                       options.launch.empty() ? "nothing to profile" : "both a launch file and --scene",
                       "either a launch file (.sim) or --scene FILE|NAME");
-  Progress progress(options.output.quiet);
   const reports::Report report =
-      options.launch.empty() ? profile_scene(options, progress) : profile_launch_file(options, progress);
+      options.launch.empty() ? profile_scene(options, how, progress) : profile_launch_file(options, how);
   progress.clear();
   if (!options.output.json.empty()) write_output(options.output.json, reports::report_json(report));
   if (!options.html.empty()) write_output(options.html, reports::report_page(report));

@@ -4,6 +4,7 @@
 #include <CLI/App.hpp>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "cli/common_options.hpp"
 #include "cli/progress.hpp"
@@ -14,6 +15,8 @@ namespace warpgrain::cli {
 struct SimulatorOptions {
   std::string policy = "loop_postdom";
   std::uint32_t width = 32;
+  std::vector<std::string> what_if;
+  std::uint64_t trace_memory = 1024;  // MiB
 
   void add_to(CLI::App& command);
   // Throws InputError for a policy or width that there is not. `progress` must outlive the profile.

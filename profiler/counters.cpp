@@ -2,7 +2,23 @@
 
 #include <algorithm>
 
+#include "profiler/coalescing.hpp"
+
 namespace warpgrain::profiler {
+
+namespace {
+
+double ratio(std::uint64_t numerator, std::uint64_t denominator) {
+  return denominator == 0 ? 0 : static_cast<double>(numerator) / static_cast<double>(denominator);
+}
+
+}  // namespace
+
+double MemoryCounters::sectors_per_request() const { return ratio(sectors, requests); }
+
+double MemoryCounters::lines_per_request() const { return ratio(lines, requests); }
+
+double MemoryCounters::efficiency() const { return ratio(useful_bytes, sectors * sector_bytes); }
 
 void MemoryCounters::add(const MemoryCounters& other) {
   requests += other.requests;
@@ -11,12 +27,20 @@ void MemoryCounters::add(const MemoryCounters& other) {
   useful_bytes += other.useful_bytes;
 }
 
-double Totals::active_lanes() const {
-  if (warp_instructions == 0) return 0;
-  return static_cast<double>(thread_instructions) / static_cast<double>(warp_instructions);
-}
+double Totals::active_lanes() const { return ratio(thread_instructions, warp_instructions); }
 
 double Totals::simt_efficiency(std::uint32_t warp_width) const { return active_lanes() / warp_width; }
+
+std::uint64_t Totals::lane_slots_idle(std::uint32_t warp_width) const {
+  return warp_width * warp_instructions - thread_instructions;
+}
+
+std::uint64_t BlockTotals::lane_slots_idle() const {
+  std::uint64_t idle = 0;
+  for (std::size_t lanes = 0; lanes < lane_histogram.size(); ++lanes)
+    idle += (lane_histogram.size() - 1 - lanes) * lane_histogram[lanes] * instructions;
+  return idle;
+}
 
 void Totals::add(const Totals& other) {
   warp_instructions += other.warp_instructions;

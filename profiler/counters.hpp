@@ -19,6 +19,10 @@ struct MemoryCounters {
   std::uint64_t lines = 0;         // 128-byte lines touched
   std::uint64_t useful_bytes = 0;  // bytes that lanes asked for
 
+  double sectors_per_request() const;  // 0 without requests, as the next two
+  double lines_per_request() const;
+  // Useful bytes over those of the sectors. Lanes that read the same bytes count each, so it can exceed 1.
+  double efficiency() const;
   void add(const MemoryCounters& other);
   bool operator==(const MemoryCounters&) const = default;
 };
@@ -41,6 +45,9 @@ struct Totals {
 
   double active_lanes() const;  // thread_instructions / warp_instructions; 0 when none
   double simt_efficiency(std::uint32_t warp_width) const;  // active_lanes / warp_width
+  // Lane slots (a lane of an issued warp instruction) without a lane: warp_width * warp_instructions -
+  // thread_instructions.
+  std::uint64_t lane_slots_idle(std::uint32_t warp_width) const;
   void add(const Totals& other);                           // element by element, of the same warp width
   bool operator==(const Totals&) const = default;
 };
@@ -56,8 +63,12 @@ struct LineTotals {
 struct BlockTotals {
   std::uint32_t block = 0;  // index into KernelGraph::blocks
   std::string label;
+  std::uint64_t instructions = 0;  // in it
   std::uint64_t executions = 0;
+  std::uint64_t divergent = 0;                // of these, lanes went different ways from it
   std::vector<std::uint64_t> lane_histogram;  // executions by number of active lanes, [warp_width + 1]
+
+  std::uint64_t lane_slots_idle() const;  // while it ran
 };
 
 // A conditional branch of the PTX.
@@ -76,6 +87,20 @@ struct BranchTotals {
   std::uint64_t lane_slots_lost = 0;
 };
 
+// What the launch would have counted with other warps. profiler/what_if.hpp defines the questions.
+struct WhatIfTotals {
+  std::uint32_t warp_width = 32;
+  std::string policy;      // none for a pool
+  std::string order;       // of the threads: "launched", "shuffled:1", "sorted:thread_instructions"
+  std::uint32_t pool = 0;  // threads of which warps are formed anew at each block; 0: warps stay as they are
+  std::uint64_t warps = 0;
+  // Of a pool: instructions, SFU instructions and the instruction mix; the rest is zero.
+  Totals totals;
+  bool has_requests = false;  // whether memory requests were counted: in the launched order alone
+  std::string remark;         // what to know of this answer; mostly none
+  bool operator==(const WhatIfTotals&) const = default;
+};
+
 struct LaunchCounters {
   std::string kernel;
   LaunchShape shape;
@@ -87,6 +112,7 @@ struct LaunchCounters {
   std::vector<BlockTotals> blocks;          // every block, in order
   std::vector<BranchTotals> branches;       // by lane_slots_lost, largest first
   std::uint64_t lane_slots_never_used = 0;  // warps that are not full from the start
+  std::vector<WhatIfTotals> what_if;        // in the order of the questions
 };
 
 }  // namespace warpgrain::profiler

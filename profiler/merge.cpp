@@ -1,11 +1,14 @@
 #include "profiler/merge.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <fmt/format.h>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "core/error.hpp"
 #include "profiler/control_flow.hpp"
 
 namespace warpgrain::profiler {
@@ -151,6 +154,20 @@ class ObservedMerger : public WarpMerger {
 };
 
 }  // namespace
+
+void check_warp_width(std::uint32_t width) {
+  if (width < min_warp_width || width > max_warp_width || !std::has_single_bit(width))
+    throw_input_error("warp width", fmt::format("{}", width),
+                      fmt::format("a power of two from {} to {}", min_warp_width, max_warp_width));
+}
+
+void merge_warps(WarpMerger& merger, std::span<const LaneTrace> lanes, std::uint32_t width) {
+  while (!lanes.empty()) {
+    const std::size_t n = std::min<std::size_t>(width, lanes.size());
+    merger.merge(lanes.first(n));
+    lanes = lanes.subspan(n);
+  }
+}
 
 std::unique_ptr<WarpMerger> make_observed_merger(const KernelGraph& graph, MergePolicy policy,
                                                  std::uint32_t warp_width, WarpObserver& observer) {

@@ -25,6 +25,12 @@ class WarpMerger {
   virtual void merge(std::span<const LaneTrace> lanes) = 0;
 };
 
+// Throws InputError for what is no width.
+void check_warp_width(std::uint32_t width);
+
+// Merges the lanes of a work-group, `width` at a time.
+void merge_warps(WarpMerger& merger, std::span<const LaneTrace> lanes, std::uint32_t width);
+
 // The plain way: any policy, every event reported to `observer`, and a trace that does not fit the graph is a
 // std::logic_error. `graph` and `observer` outlive the merger.
 std::unique_ptr<WarpMerger> make_observed_merger(const KernelGraph& graph, MergePolicy policy,

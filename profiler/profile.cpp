@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <bit>
 #include <exception>
 #include <fmt/format.h>
 #include <memory>
@@ -19,17 +18,15 @@
 #include "profiler/observers/warp_counters.hpp"
 #include "profiler/ordered_output.hpp"
 #include "profiler/source_lines.hpp"
+#include "profiler/what_if_run.hpp"
 
 namespace warpgrain::profiler {
 namespace {
 
-constexpr std::uint64_t groups_a_chunk = 16;  // taken by a thread at a time
+constexpr std::uint64_t smallest_chunk = 16;  // work-groups taken by a thread at a time
 
 void check(const LaunchShape& shape, const ProfileOptions& options) {
-  const std::uint32_t width = options.warp_width;
-  if (width < min_warp_width || width > max_warp_width || !std::has_single_bit(width))
-    throw_input_error("warp width", fmt::format("{}", width),
-                      fmt::format("a power of two from {} to {}", min_warp_width, max_warp_width));
+  check_warp_width(options.warp_width);
   for (std::size_t d = 0; d < 3; ++d)
     if (shape.global_size[d] == 0 || shape.local_size[d] == 0 ||
         shape.global_size[d] % shape.local_size[d] != 0)
@@ -39,31 +36,52 @@ void check(const LaunchShape& shape, const ProfileOptions& options) {
           "a global size that the local size divides");
 }
 
+unsigned n_threads(const ProfileOptions& options) {
+  return options.threads != 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
+}
+
+// Merges the warps of each work-group, and shows it to the other visitor where there is one.
+class MergingVisitor : public GroupVisitor {
+ public:
+  MergingVisitor(WarpMerger& merger, std::uint32_t warp_width, GroupVisitor* other)
+      : merger_(merger), warp_width_(warp_width), other_(other) {}
+  void visit(std::uint64_t group, std::span<const LaneTrace> lanes) override {
+    merge_warps(merger_, lanes, warp_width_);
+    if (other_ != nullptr) other_->visit(group, lanes);
+  }
+
+ private:
+  WarpMerger& merger_;
+  std::uint32_t warp_width_;
+  GroupVisitor* other_;
+};
+
 // Runs the work-groups of one launch, on any number of threads at once.
 class Launch {
  public:
   Launch(const Executable& executable, const LaunchShape& shape, std::span<const KernelArgument> arguments,
-         const ProfileOptions& options)
+         const ProfileOptions& options, std::uint64_t chunk_unit)
       : executable_(executable),
         shape_(shape),
         arguments_(arguments),
         options_(options),
-        groups_(shape.group_count()) {
+        groups_(shape.group_count()),
+        groups_a_chunk_((smallest_chunk + chunk_unit - 1) / chunk_unit * chunk_unit) {
     n_groups_ = groups_[0] * groups_[1] * groups_[2];
     if (options.printed != nullptr) printed_.emplace(*options.printed);
   }
 
-  std::uint64_t n_groups() const { return n_groups_; }
+  std::uint64_t n_chunks() const { return (n_groups_ + groups_a_chunk_ - 1) / groups_a_chunk_; }
 
   // Until no work-groups are left. One of the threads tells the progress.
-  void run_groups(WarpMerger& merger, bool tells_progress) {
+  void run_groups(GroupVisitor& visitor, bool tells_progress) {
     try {
       const std::unique_ptr<WorkGroupRunner> runner = executable_.runner(shape_, arguments_);
       for (;;) {
-        const std::uint64_t begin = next_group_.fetch_add(groups_a_chunk);
+        const std::uint64_t begin = next_group_.fetch_add(groups_a_chunk_);
         if (begin >= n_groups_) return;
-        const std::uint64_t end = std::min(begin + groups_a_chunk, n_groups_);
-        for (std::uint64_t group = begin; group < end; ++group) run_group(*runner, group, merger);
+        const std::uint64_t end = std::min(begin + groups_a_chunk_, n_groups_);
+        for (std::uint64_t group = begin; group < end; ++group) run_group(*runner, group, visitor);
         if (tells_progress && options_.progress)
           options_.progress(static_cast<double>(end) / static_cast<double>(n_groups_));
       }
@@ -80,9 +98,10 @@ class Launch {
 
  private:
   // What a group printed before it was stopped is kept, too.
-  void run_group(WorkGroupRunner& runner, std::uint64_t group, WarpMerger& merger) {
+  void run_group(WorkGroupRunner& runner, std::uint64_t group, GroupVisitor& visitor) {
     try {
-      merge_group(runner, group, merger);
+      visitor.visit(group, runner.run({group % groups_[0], group / groups_[0] % groups_[1],
+                                       group / groups_[0] / groups_[1]}));
     } catch (const InputError&) {
       write_printed(runner, group);
       throw;
@@ -95,44 +114,46 @@ class Launch {
     if (printed_) printed_->write(group, std::move(text));
   }
 
-  void merge_group(WorkGroupRunner& runner, std::uint64_t group, WarpMerger& merger) const {
-    std::span<const LaneTrace> lanes =
-        runner.run({group % groups_[0], group / groups_[0] % groups_[1], group / groups_[0] / groups_[1]});
-    while (!lanes.empty()) {
-      const std::size_t n = std::min<std::size_t>(options_.warp_width, lanes.size());
-      merger.merge(lanes.first(n));
-      lanes = lanes.subspan(n);
-    }
-  }
-
   const Executable& executable_;
   const LaunchShape& shape_;
   std::span<const KernelArgument> arguments_;
   const ProfileOptions& options_;
   std::array<std::uint64_t, 3> groups_;
   std::uint64_t n_groups_;
+  std::uint64_t groups_a_chunk_;
   std::atomic<std::uint64_t> next_group_ = 0;
   std::optional<OrderedOutput> printed_;
   std::mutex error_mutex_;
   std::exception_ptr error_;
 };
 
-WarpCounters run_observed(const KernelGraph& graph, Launch& launch, const ProfileOptions& options) {
+WarpCounters run_observed(const KernelGraph& graph, Launch& launch, const ProfileOptions& options,
+                          WhatIfRun* what_if) {
   WarpCounters counters(graph, options.warp_width);
   WarpCounterObserver counting(graph, counters);
   ObserverPair both(counting, *options.observer);
-  launch.run_groups(*make_observed_merger(graph, options.policy, options.warp_width, both), true);
+  const auto merger = make_observed_merger(graph, options.policy, options.warp_width, both);
+  MergingVisitor visitor(*merger, options.warp_width, what_if ? &what_if->new_visitor() : nullptr);
+  launch.run_groups(visitor, true);
   launch.rethrow_error();
   return counters;
 }
 
-WarpCounters run_counted(const KernelGraph& graph, Launch& launch, const ProfileOptions& options) {
-  const std::uint64_t wanted =
-      options.threads != 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
-  const std::uint64_t useful = (launch.n_groups() + groups_a_chunk - 1) / groups_a_chunk;
-  std::vector<WarpCounters> of_threads(std::min(wanted, useful), WarpCounters(graph, options.warp_width));
+WarpCounters run_counted(const KernelGraph& graph, Launch& launch, const ProfileOptions& options,
+                         WhatIfRun* what_if) {
+  struct Thread {
+    WarpCounters counters;
+    GroupVisitor* other;
+  };
+  std::vector<Thread> of_threads;
+  for (std::uint64_t thread = 0; thread < std::min<std::uint64_t>(n_threads(options), launch.n_chunks());
+       ++thread)
+    of_threads.push_back(
+        {WarpCounters(graph, options.warp_width), what_if ? &what_if->new_visitor() : nullptr});
   const auto work = [&](std::size_t thread) {
-    launch.run_groups(*make_counting_merger(graph, options.policy, of_threads[thread]), thread == 0);
+    const auto merger = make_counting_merger(graph, options.policy, of_threads[thread].counters);
+    MergingVisitor visitor(*merger, options.warp_width, of_threads[thread].other);
+    launch.run_groups(visitor, thread == 0);
   };
   {
     std::vector<std::jthread> threads;
@@ -140,8 +161,9 @@ WarpCounters run_counted(const KernelGraph& graph, Launch& launch, const Profile
     work(0);
   }
   launch.rethrow_error();
-  for (std::size_t thread = 1; thread < of_threads.size(); ++thread) of_threads[0].add(of_threads[thread]);
-  return std::move(of_threads[0]);
+  for (std::size_t thread = 1; thread < of_threads.size(); ++thread)
+    of_threads[0].counters.add(of_threads[thread].counters);
+  return std::move(of_threads[0].counters);
 }
 
 }  // namespace
@@ -151,9 +173,16 @@ LaunchCounters profile_launch(const Executable& executable, const LaunchShape& s
                               const ProfileOptions& options) {
   check(shape, options);
   const KernelGraph& graph = executable.graph();
-  Launch launch(executable, shape, arguments, options);
-  const WarpCounters counters = options.observer != nullptr ? run_observed(graph, launch, options)
-                                                            : run_counted(graph, launch, options);
+  const SourceLines source_lines(source, options.source_name);
+  std::optional<WhatIfRun> what_if;
+  if (!options.what_if.empty())
+    what_if.emplace(graph, shape, source_lines,
+                    WhatIfSetting{options.what_if, options.addresses, n_threads(options),
+                                  options.trace_memory, options.skip_unknown_keys});
+  Launch launch(executable, shape, arguments, options, what_if ? what_if->groups_a_chunk() : 1);
+  const WarpCounters counters = options.observer != nullptr
+                                    ? run_observed(graph, launch, options, what_if ? &*what_if : nullptr)
+                                    : run_counted(graph, launch, options, what_if ? &*what_if : nullptr);
   LaunchCounters result;
   result.kernel = graph.kernel;
   result.shape = shape;
@@ -163,8 +192,9 @@ LaunchCounters profile_launch(const Executable& executable, const LaunchShape& s
   result.totals = launch_totals(graph, counters);
   result.lines = line_totals(graph, counters);
   result.blocks = block_totals(graph, counters);
-  result.branches = branch_totals(graph, counters, SourceLines(source, options.source_name));
+  result.branches = branch_totals(graph, counters, source_lines);
   result.lane_slots_never_used = counters.lane_slots_lost[counters.never_used()];
+  if (what_if) result.what_if = what_if->answers();
   return result;
 }
 

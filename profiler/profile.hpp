@@ -13,6 +13,7 @@
 #include "profiler/executable.hpp"
 #include "profiler/merge_policy.hpp"
 #include "profiler/observers/warp_observer.hpp"
+#include "profiler/what_if.hpp"
 
 namespace warpgrain::profiler {
 
@@ -27,6 +28,12 @@ struct ProfileOptions {
   std::ostream* printed = nullptr;
   // What the compiler calls `source`, so that lines of other files get no labels from it.
   std::string source_name = {};
+  // Questions that the traces answer beside; `trace_memory` bytes may hold traces where threads are
+  // reordered.
+  std::vector<WhatIf> what_if = {};
+  std::uint64_t trace_memory = std::uint64_t{1} << 30;
+  // Leaves out questions that sort by a count which the kernel has not; else they are errors.
+  bool skip_unknown_keys = false;
   // Sees every event, in order; then one thread runs, and slower.
   WarpObserver* observer = nullptr;
 };

@@ -18,7 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 template <class T, class... Options>
-Json array_of(const std::vector<T>& values, Options... options) {
+Json array_of(const std::vector<T>& values, const Options&... options) {
   Json array = Json::array();
   for (const T& value : values) array.push_back(to_json(value, options...));
   return array;
@@ -39,10 +39,10 @@ Json launch_json(const LaunchReport& launch, bool with_text) {
           {"warps", counters.warps},
           {"totals", to_json(counters.totals, counters.warp_width)},
           {"lane_slots_never_used", counters.lane_slots_never_used},
-          {"branches", array_of(counters.branches)},
+          {"branches", array_of(counters.branches, counters)},
           {"lines", array_of(counters.lines, counters.warp_width)},
           {"blocks", array_of(counters.blocks)},
-          {"what_if", Json::array()},
+          {"what_if", array_of(counters.what_if)},
           {"source", source}};
 }
 
@@ -79,9 +79,7 @@ LaunchReport launch_from(const JsonReader& place, Texts& texts) {
   counters.kernel = place.at("kernel").string();
   counters.shape.global_size = size_from<std::uint64_t>(place.at("global_size"));
   counters.shape.local_size = size_from<std::uint32_t>(place.at("local_size"));
-  counters.warp_width = whole_number32(place.at("warp_width"));
-  if (counters.warp_width == 0 || counters.warp_width > 64)
-    place.at("warp_width").fail(fmt::format("{}", counters.warp_width), "1 to 64");
+  counters.warp_width = warp_width_from(place.at("warp_width"));
   counters.policy = place.at("policy").string();
   counters.warps = place.at("warps").whole_number();
   counters.totals = totals_from(place.at("totals"), counters.warp_width);
@@ -92,6 +90,13 @@ LaunchReport launch_from(const JsonReader& place, Texts& texts) {
     counters.lines.push_back(line_from(line, counters.warp_width));
   for (const JsonReader& block : place.at("blocks").elements())
     counters.blocks.push_back(block_from(block, counters.warp_width));
+  for (const profiler::BranchTotals& branch : counters.branches)
+    if (branch.block >= counters.blocks.size())
+      place.at("branches")
+          .fail(fmt::format("a branch of block {}", branch.block),
+                fmt::format("less than {} blocks", counters.blocks.size()));
+  for (const JsonReader& answer : place.at("what_if").elements())
+    counters.what_if.push_back(what_if_from(answer));
   launch.source = source_from(place.at("source"), texts);
   return launch;
 }

@@ -1,6 +1,7 @@
 #include "reports/summary.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -49,8 +50,25 @@ void add_branches(std::vector<BranchTotals>& sum, const std::vector<BranchTotals
 void add_blocks(std::vector<profiler::BlockTotals>& sum, const std::vector<profiler::BlockTotals>& more) {
   for (std::size_t b = 0; b < sum.size() && b < more.size(); ++b) {
     sum[b].executions += more[b].executions;
+    sum[b].divergent += more[b].divergent;
     for (std::size_t k = 0; k < sum[b].lane_histogram.size() && k < more[b].lane_histogram.size(); ++k)
       sum[b].lane_histogram[k] += more[b].lane_histogram[k];
+  }
+}
+
+// Launches of one kernel answer the same questions.
+void add_answers(std::vector<profiler::WhatIfTotals>& sum, const std::vector<profiler::WhatIfTotals>& more) {
+  for (const profiler::WhatIfTotals& answer : more) {
+    const auto same = std::find_if(sum.begin(), sum.end(), [&](const profiler::WhatIfTotals& s) {
+      return s.warp_width == answer.warp_width && s.policy == answer.policy && s.order == answer.order &&
+             s.pool == answer.pool;
+    });
+    if (same == sum.end()) {
+      sum.push_back(answer);
+    } else {
+      same->warps += answer.warps;
+      same->totals.add(answer.totals);
+    }
   }
 }
 
@@ -61,6 +79,7 @@ void add(LaunchCounters& sum, const LaunchCounters& more) {
   add_lines(sum.lines, more.lines);
   add_branches(sum.branches, more.branches);
   add_blocks(sum.blocks, more.blocks);
+  add_answers(sum.what_if, more.what_if);
 }
 
 double ratio(double numerator, double denominator) { return denominator == 0 ? 0 : numerator / denominator; }
@@ -68,12 +87,23 @@ double ratio(double numerator, double denominator) { return denominator == 0 ? 0
 }  // namespace
 
 std::optional<double> sectors_per_request(const profiler::MemoryCounters& access) {
-  if (access.requests == 0) return std::nullopt;
-  return static_cast<double>(access.sectors) / static_cast<double>(access.requests);
+  return access.requests == 0 ? std::nullopt : std::optional(access.sectors_per_request());
+}
+
+std::string policy_text(const profiler::WhatIfTotals& answer) {
+  return answer.pool == 0 ? answer.policy : fmt::format("bound, pools of {}", answer.pool);
+}
+
+std::vector<std::string> remarks_of(const std::vector<profiler::WhatIfTotals>& answers) {
+  std::vector<std::string> remarks;
+  for (const profiler::WhatIfTotals& answer : answers)
+    if (!answer.remark.empty() && std::find(remarks.begin(), remarks.end(), answer.remark) == remarks.end())
+      remarks.push_back(answer.remark);
+  return remarks;
 }
 
 std::uint64_t KernelSummary::lane_slots_lost() const {
-  return counters.warp_width * counters.totals.warp_instructions - counters.totals.thread_instructions;
+  return counters.totals.lane_slots_idle(counters.warp_width);
 }
 
 std::vector<KernelSummary> kernels_of(const Report& report) {

@@ -48,6 +48,11 @@ std::vector<KernelSummary> kernels_of(const Report& report);
 // Of all launches together.
 Headline headline_of(const std::vector<KernelSummary>& kernels);
 
+// "min_pc", or of a pool "bound, pools of 128".
+std::string policy_text(const profiler::WhatIfTotals& answer);
+// What to know of the answers, each remark once.
+std::vector<std::string> remarks_of(const std::vector<profiler::WhatIfTotals>& answers);
+
 // Sectors a request of one kind of access touched on average; none without requests.
 std::optional<double> sectors_per_request(const profiler::MemoryCounters& access);
 

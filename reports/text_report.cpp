@@ -92,6 +92,35 @@ std::string line_list(const KernelSummary& kernel, std::size_t how_many) {
   return text;
 }
 
+std::string what_if_table(const KernelSummary& kernel) {
+  using enum TextTable::Align;
+  TextTable table({{"width", right},
+                   {"policy", left},
+                   {"order", left},
+                   {"SIMT efficiency", right},
+                   {"warp instructions", right},
+                   {"against run", right},
+                   {"divergent branches", right},
+                   {"sectors/load", right}});
+  for (const profiler::WhatIfTotals& answer : kernel.counters.what_if) {
+    const profiler::Totals& totals = answer.totals;
+    table.add_row({count_text(answer.warp_width), policy_text(answer), answer.order,
+                   fixed_text(totals.simt_efficiency(answer.warp_width), 3),
+                   count_text(totals.warp_instructions),
+                   percent_text(static_cast<double>(totals.warp_instructions),
+                                static_cast<double>(kernel.counters.totals.warp_instructions)),
+                   answer.pool != 0 ? "-"
+                                    : percent_text(static_cast<double>(totals.divergent_branches),
+                                                   static_cast<double>(totals.branches)),
+                   answer.has_requests && totals.global_load.requests != 0
+                       ? fixed_text(totals.global_load.sectors_per_request(), 2)
+                       : "-"});
+  }
+  std::string text = table.text();
+  for (const std::string& remark : remarks_of(kernel.counters.what_if)) text += fmt::format("  {}\n", remark);
+  return text;
+}
+
 }  // namespace
 
 std::string text_report(const Report& report, const TextReportOptions& options) {
@@ -102,6 +131,9 @@ std::string text_report(const Report& report, const TextReportOptions& options) 
     if (const std::string losses = loss_list(kernel, options.causes); !losses.empty())
       text += fmt::format("\n{}: where lanes idled, of {} lost lane slots\n{}", kernel.counters.kernel,
                           count_text(kernel.lane_slots_lost()), losses);
+    if (!kernel.counters.what_if.empty())
+      text += fmt::format("\n{}: what if (the run: {} lanes, {}, as launched)\n{}", kernel.counters.kernel,
+                          kernel.counters.warp_width, kernel.counters.policy, what_if_table(kernel));
     if (const std::string lines = line_list(kernel, options.lines); !lines.empty())
       text += fmt::format("\n{}: lines with the most warp instructions\n{}", kernel.counters.kernel, lines);
   }

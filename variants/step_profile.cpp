@@ -1,9 +1,36 @@
 #include "variants/step_profile.hpp"
 
+#include <algorithm>
+#include <functional>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "core/error.hpp"
 #include "variants/device_simulation.hpp"
 #include "variants/simt_device.hpp"
 
 namespace warpgrain {
+namespace {
+
+// Every order was known to some kernel.
+void require_answers(const std::vector<profiler::WhatIf>& questions,
+                     const std::vector<profiler::LaunchProfile>& launches) {
+  std::vector<std::string_view> labels{"thread_instructions"};
+  std::set<std::string, std::less<>> answered;
+  for (const profiler::LaunchProfile& launch : launches) {
+    for (const profiler::WhatIfTotals& answer : launch.counters.what_if) answered.insert(answer.order);
+    for (const profiler::BranchTotals& branch : launch.counters.branches)
+      if (std::find(labels.begin(), labels.end(), branch.label) == labels.end())
+        labels.push_back(branch.label);
+  }
+  labels.push_back("FILE:LINE of a line with instructions");
+  for (const profiler::WhatIf& question : questions)
+    if (!answered.contains(question.order.name()))
+      throw_unknown_name("order sorted", "thread count", question.order.key, labels);
+}
+
+}  // namespace
 
 std::vector<profiler::LaunchProfile> profile_step(const Scene& scene, const Variant& variant,
                                                   const profiler::ProfileOptions& options,
@@ -13,9 +40,13 @@ std::vector<profiler::LaunchProfile> profile_step(const Scene& scene, const Vari
   std::unique_ptr<SimtDevice> device = make_simt_device(mode, backend.threads);
   SimtDevice& simulator = *device;
   DeviceSimulation simulation(scene, variant, backend, std::move(device));
-  simulator.record(options);
+  profiler::ProfileOptions of_kernels = options;
+  of_kernels.skip_unknown_keys = true;  // a step has many kernels, and each its own branches
+  simulator.record(of_kernels);
   simulation.step(1);
-  return simulator.take_profiles();
+  std::vector<profiler::LaunchProfile> launches = simulator.take_profiles();
+  require_answers(options.what_if, launches);
+  return launches;
 }
 
 }  // namespace warpgrain

@@ -10,7 +10,9 @@ std::vector<BlockTotals> block_totals(const KernelGraph& graph, const WarpCounte
     const auto executions = counters.executions(b);
     result.push_back({b,
                       graph.blocks[b].label,
+                      graph.blocks[b].instructions.size(),
                       std::accumulate(executions.begin(), executions.end(), std::uint64_t{0}),
+                      counters.divergent[b],
                       {executions.begin(), executions.end()}});
   }
   return result;

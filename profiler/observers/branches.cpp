@@ -6,6 +6,15 @@
 
 namespace warpgrain::profiler {
 
+std::string branch_label(const KernelGraph& graph, std::uint32_t block, const SourceLines& source) {
+  const BasicBlock& of_branch = graph.blocks[block];
+  const Instruction& instruction = of_branch.instructions[branch_instruction(of_branch)];
+  const SourceLocation location = instruction.location;
+  std::string label =
+      location.line == 0 ? source.label("", 0) : source.label(graph.files[location.file], location.line);
+  return label.empty() ? instruction.text : label;
+}
+
 std::vector<BranchTotals> branch_totals(const KernelGraph& graph, const WarpCounters& counters,
                                         const SourceLines& source) {
   std::vector<BranchTotals> result;
@@ -19,13 +28,12 @@ std::vector<BranchTotals> branch_totals(const KernelGraph& graph, const WarpCoun
       branch.lanes += executions[lanes] * lanes;
     }
     if (branch.executions == 0) continue;
-    const Instruction& instruction = block.instructions[branch_instruction(block)];
-    if (instruction.location.line != 0) {
-      branch.file = graph.files[instruction.location.file];
-      branch.line = instruction.location.line;
+    const SourceLocation location = block.instructions[branch_instruction(block)].location;
+    if (location.line != 0) {
+      branch.file = graph.files[location.file];
+      branch.line = location.line;
     }
-    branch.label = source.label(branch.file, branch.line);
-    if (branch.label.empty()) branch.label = instruction.text;
+    branch.label = branch_label(graph, b, source);
     branch.block = b;
     branch.divergent = counters.divergent[b];
     branch.taken_lanes = counters.taken_lanes[b];

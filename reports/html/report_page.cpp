@@ -21,7 +21,7 @@ std::string kernel_section(const KernelSummary& kernel, std::uint64_t all_instru
       percent_text(static_cast<double>(counters.totals.warp_instructions),
                    static_cast<double>(all_instructions)),
       fixed_text(headline.simt_efficiency, 3), html::histogram_view(counters), html::branches_view(kernel),
-      html::source_view(kernel), html::instruction_mix_view(counters.totals));
+      html::what_if_view(kernel) + html::source_view(kernel), html::instruction_mix_view(counters.totals));
 }
 
 }  // namespace

@@ -21,6 +21,9 @@ std::string histogram_view(const profiler::LaunchCounters& counters);
 // Branches by lost lane slots.
 std::string branches_view(const KernelSummary& kernel);
 
+// The launch under other widths, policies and thread orders; empty when nothing was asked.
+std::string what_if_view(const KernelSummary& kernel);
+
 // The source, line by line, with what each line cost. Stretches that made no instruction are left out.
 std::string source_view(const KernelSummary& kernel);
 

@@ -171,6 +171,11 @@ TEST_F(BadInput, Calls) {
   refused({"profile"}, {"launch file"});
   refused({"profile", "--scene", "head_on", "--width", "12"}, {"12", "32"});
   refused({"profile", "--scene", "head_on", "--policy", "x"}, {"'x'", "loop_postdom"});
+  refused({"profile", "--what-if", "width=8", "k.sim"}, {"'k.sim'", "width, policy, order and pool"});
+  refused({"profile", "k.sim", "--what-if", "lanes=8"}, {"'lanes'", "width, policy, order, pool"});
+  refused({"profile", "k.sim", "--what-if", "width=eight"}, {"'eight'", "whole number"});
+  refused({"profile", "k.sim", "--what-if", "policy=x"}, {"'x'", "loop_postdom"});
+  refused({"profile", "k.sim", "--what-if", "order=random"}, {"'random'", "sorted:KEY"});
   refused({"sweep", "--scene", "head_on", "--out", path("o"), "--axis", "order"}, {"order", "name=value"});
   refused({"sweep", "--scene", "head_on", "--out", path("o"), "--shard", "0/2"}, {"0/2"});
 }

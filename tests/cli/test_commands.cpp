@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cli/sweep_plan.hpp"
+#include "cli/what_if_options.hpp"
 #include "command_fixture.hpp"
 #include "core/state_file.hpp"
 #include "reports/report_json.hpp"
@@ -60,6 +61,63 @@ TEST_F(Commands, ProfileDumpsAndReports) {
   ASSERT_EQ(report.launches.size(), 1u);
   EXPECT_EQ(report.launches[0].counters.totals.divergent_branches, 2u);
   EXPECT_THAT(read("r.html"), HasSubstr("lower half"));
+}
+
+TEST_F(Commands, ProfileAnswersWhatIfs) {
+  write("k.cl",
+        "kernel void odd(global int* a) {\n  int i = get_global_id(0);\n"
+        "  if (i % 2 == 1) {  // branch: odd ones\n    a[i] = a[i] * 3 + i / (a[i] + 1);\n  }\n}\n");
+  const std::string launch = write("k.sim", "k.cl\nodd\n64 1 1\n64 1 1\n<size=256 int fill=1>\n");
+  ASSERT_EQ(call({"profile", launch, "--what-if", "width=16,32", "order=launched,sorted", "--what-if",
+                  "pool=64", "--json", path("r.json")}),
+            0)
+      << err_;
+  EXPECT_THAT(out_, HasSubstr("odd: what if (the run: 32 lanes, loop_postdom, as launched)"));
+  const auto what_if = reports::read_report(path("r.json")).launches.at(0).counters.what_if;
+  ASSERT_EQ(what_if.size(), 8u);  // two orders, two widths, each with a bound beside
+  EXPECT_EQ(what_if[0].totals.divergent_branches, 4u);
+  EXPECT_EQ(what_if[1].pool, 64u);
+  EXPECT_EQ(what_if[4].order, "sorted:thread_instructions");
+  EXPECT_EQ(what_if[4].totals.divergent_branches, 0u);
+  EXPECT_EQ(what_if[7].totals.warp_instructions, what_if[6].totals.warp_instructions)
+      << "sorting reaches the bound";
+}
+
+TEST_F(Commands, WhatIfsSortTheThreadsOfTheKernelsOfAStepThatHaveTheCount) {
+  const std::vector<std::string> profile{"profile",     "--scene", "settled_bed",
+                                         "--particles", "64",      "--what-if"};
+  const auto with = [&](const std::string& question) {
+    std::vector<std::string> words = profile;
+    words.insert(words.end(), {question, "--json", path("r.json")});
+    return call(words);
+  };
+  ASSERT_EQ(with("order=sorted:contact test"), 0) << err_;
+  std::size_t answered = 0;
+  const reports::Report report = reports::read_report(path("r.json"));
+  for (const auto& launch : report.launches) answered += launch.counters.what_if.size();
+  EXPECT_GT(answered, 0u);
+  EXPECT_LT(answered, report.launches.size());
+  EXPECT_EQ(with("order=sorted:moon phase"), 2);
+  EXPECT_THAT(err_, HasSubstr("unknown thread count 'moon phase'; valid: thread_instructions, "));
+  EXPECT_EQ(error_lines(), 1u);
+}
+
+TEST(WhatIfOptions, AreAllCombinationsOfTheirAxes) {
+  using profiler::MergePolicy;
+  const auto asked = [](std::vector<std::string> words) {
+    return what_if_questions(words, 32, MergePolicy::loop_postdom);
+  };
+  EXPECT_EQ(
+      asked({"width=4,8,16,32,64", "policy=loop_postdom,ipdom,min_pc", "order=launched,shuffled:7"}).size(),
+      30u);
+  EXPECT_EQ(asked({"width=8", "width=16,8"}).size(), 2u) << "an axis may come in pieces";
+  const profiler::ThreadOrder launched;
+  EXPECT_EQ(asked({"pool=64,128"}),
+            (std::vector<profiler::WhatIf>{{32, MergePolicy::loop_postdom, launched, 64},
+                                           {32, MergePolicy::loop_postdom, launched, 128}}));
+  EXPECT_EQ(asked({"policy=min_pc", "pool=64"}),
+            (std::vector<profiler::WhatIf>{{32, MergePolicy::min_pc, launched, 0},
+                                           {32, MergePolicy::loop_postdom, launched, 64}}));
 }
 
 TEST_F(Commands, SweepResumesAndShards) {

@@ -26,6 +26,20 @@ profiler::Totals totals(std::uint64_t full, std::uint64_t half) {
   return t;
 }
 
+namespace {
+
+profiler::Totals without_requests(profiler::Totals t) {
+  t.global_load = t.shared_store = {};
+  return t;
+}
+
+profiler::Totals of_a_pool(profiler::Totals t) {
+  t.lane_histogram.clear();
+  return without_requests(t);
+}
+
+}  // namespace
+
 profiler::LaunchProfile launch(const std::string& kernel) {
   profiler::LaunchProfile profile;
   profiler::LaunchCounters& c = profile.counters;
@@ -40,7 +54,18 @@ profiler::LaunchProfile launch(const std::string& kernel) {
   c.lines = {{"contact/law.cl", 2, totals(10, 0)}, {"contact/law.cl", 3, totals(0, 6)}};
   c.lines[0].totals.branches = 2;
   c.lines[0].totals.divergent_branches = 1;
-  c.blocks = {{0, "entry", 2, {0, 0, 0, 0, 2}}, {1, "then", 2, {0, 0, 2, 0, 0}}};
+  c.blocks = {{.block = 0,
+               .label = "entry",
+               .instructions = 5,
+               .executions = 2,
+               .divergent = 1,
+               .lane_histogram = {0, 0, 0, 0, 2}},
+              {.block = 1,
+               .label = "then",
+               .instructions = 3,
+               .executions = 2,
+               .divergent = 0,
+               .lane_histogram = {0, 0, 2, 0, 0}}};
   c.branches = {{.file = "contact/law.cl",
                  .line = 2,
                  .label = "contact test",
@@ -50,6 +75,11 @@ profiler::LaunchProfile launch(const std::string& kernel) {
                  .lanes = 8,
                  .taken_lanes = 4,
                  .lane_slots_lost = 12}};
+  const char* const remark = "the <kernel> has barriers";
+  c.what_if = {
+      {warp_width, "min_pc", "launched", 0, 2, totals(12, 2), true, ""},
+      {warp_width, "ipdom", "sorted:contact test", 0, 2, without_requests(totals(13, 0)), false, remark},
+      {warp_width, "", "launched", 64, 0, of_a_pool(totals(11, 0)), false, remark}};
   profile.source = source_text;
   profile.source_name = "step.cl";
   profile.compiler = "clang version 15.0.6";

@@ -54,6 +54,30 @@ TEST(Documents, RunRateIsThePapersParticlesPerSecond) {
   EXPECT_EQ(run.particle_steps_per_second(), 0) << "no steps";
 }
 
+TEST(Documents, ReportsSayWhatFollowsFromTheirCounts) {
+  const Json launch = Json::parse(report_json(sample::report()))["launches"][0];
+  EXPECT_EQ(launch["branches"][0]["loss_share"], 1.0);
+  EXPECT_EQ(launch["branches"][0]["lane_histogram"], launch["blocks"][0]["lane_histogram"]);
+  EXPECT_EQ(launch["blocks"][1]["lane_slots_idle"], 2 * 2 * 3);
+  EXPECT_EQ(launch["lines"][1]["lane_slots_idle"], 12);
+  const Json& totals = launch["totals"];
+  EXPECT_EQ(totals["global_load_sectors_per_request"], 3.0);
+  EXPECT_EQ(totals["global_load_lines_per_request"], 2.0);
+  EXPECT_DOUBLE_EQ(totals["global_load_efficiency"], 16.0 / (3 * 32));
+  EXPECT_FALSE(totals.contains("global_store_efficiency")) << "there are no stores";
+}
+
+TEST(Documents, AnswersHoldWhatIsKnown) {
+  const Json what_if = Json::parse(report_json(sample::report()))["launches"][0]["what_if"];
+  EXPECT_TRUE(what_if[0]["totals"].contains("global_load_sectors"));
+  EXPECT_FALSE(what_if[0].contains("pool"));
+  EXPECT_FALSE(what_if[1]["totals"].contains("global_load_sectors"));
+  EXPECT_EQ(what_if[1]["order"], "sorted:contact test");
+  EXPECT_FALSE(what_if[2].contains("policy"));
+  EXPECT_FALSE(what_if[2]["totals"].contains("lane_histogram"));
+  EXPECT_EQ(what_if[2]["totals"]["simt_efficiency"], 1.0);
+}
+
 TEST(Documents, NanIsAnErrorNotNull) {
   RunReport run = sample::run();
   run.energy[1].elastic = std::numeric_limits<double>::quiet_NaN();
@@ -93,6 +117,12 @@ TEST(Documents, ReadersNameThePlaceOfWhatIsWrong) {
               HasSubstr("branches[0].line: 4294967296; expected less than 2^32"));
   EXPECT_THAT(refusal([](Json& d) { d["launches"][0]["warp_width"] = 65; }),
               HasSubstr("launches[0].warp_width: 65; expected 1 to 64"));
+  EXPECT_THAT(refusal([](Json& d) { d["launches"][0]["what_if"][0].erase("policy"); }),
+              HasSubstr("launches[0].what_if[0]: 'policy' is missing"));
+  EXPECT_THAT(refusal([](Json& d) { d["launches"][0]["what_if"][1]["totals"]["thread_instructions"] = 1; }),
+              HasSubstr("what_if[1].totals.lane_histogram: adds up to"));
+  EXPECT_THAT(refusal([](Json& d) { d["launches"][0]["branches"][0]["block"] = 2; }),
+              HasSubstr("launches[0].branches: a branch of block 2; expected less than 2 blocks"));
   EXPECT_THAT(refusal([](Json& d) { d["launches"][0]["source"].erase("text"); }),
               HasSubstr("launches[0].source: 'text' is missing"));
   EXPECT_THAT(refusal([](Json& d) { d["launches"] = 7; }), HasSubstr("launches: 7; expected an array"));

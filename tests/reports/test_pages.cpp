@@ -68,6 +68,15 @@ TEST(Pages, ShadeTheSourceAndLeaveOutWhatMadeNoInstruction) {
   EXPECT_THAT(page, HasSubstr("19 lines without instructions"));
 }
 
+TEST(Pages, TabulateTheAnswers) {
+  const std::string page = report_page(sample::report());
+  EXPECT_THAT(page, AllOf(HasSubstr("<h3>What if</h3>"), HasSubstr("sorted:contact test"),
+                          HasSubstr("bound, pools of 64"), HasSubstr("the &lt;kernel&gt; has barriers")));
+  Report report = sample::report();
+  for (LaunchReport& launch : report.launches) launch.counters.what_if.clear();
+  EXPECT_THAT(report_page(report), Not(HasSubstr("What if")));
+}
+
 TEST(Pages, ShowLinesOfNoSource) {
   Report report = sample::report();
   report.launches.resize(1);

@@ -95,6 +95,15 @@ TEST(Schemas, BrokenReportsAreRefused) {
           d["launches"][2]["local_size"] = {8, 1};
         }},
        {"an unknown policy", "$.launches[0].policy", [](Json& d) { d["launches"][0]["policy"] = "min_sp"; }},
+       {"a bound with a policy", "$.launches[0].what_if[2]",
+        [](Json& d) {
+          d["launches"][0]["what_if"][2]["policy"] = "ipdom";
+          d["launches"][0]["what_if"][2]["warps"] = 1;
+        }},
+       {"an unknown order", "$.launches[0].what_if[0].order",
+        [](Json& d) { d["launches"][0]["what_if"][0]["order"] = "random"; }},
+       {"a share above 1", "$.launches[0].branches[0].loss_share",
+        [](Json& d) { d["launches"][0]["branches"][0]["loss_share"] = 1.5; }},
        {"no text at first", "$.launches[0].source",
         [](Json& d) { d["launches"][0]["source"].erase("text"); }},
        {"a hash of another kind", "$.launches[0].source.hash",

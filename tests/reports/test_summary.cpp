@@ -16,6 +16,10 @@ TEST(Summary, TakesLaunchesOfAKernelTogetherHeaviestFirst) {
   EXPECT_EQ(kernels[0].counters.totals.lane_histogram, (std::vector<std::uint64_t>{0, 0, 12, 0, 20}));
   EXPECT_EQ(kernels[0].lane_slots_lost(), 24u);
   EXPECT_EQ(kernels[0].counters.warps, 4u);
+  ASSERT_EQ(kernels[0].counters.what_if.size(), 3u);
+  EXPECT_EQ(kernels[0].counters.what_if[1].warps, 4u);
+  EXPECT_EQ(kernels[0].counters.what_if[1].totals.warp_instructions, 26u);
+  EXPECT_EQ(kernels[0].counters.blocks[0].divergent, 2u);
   EXPECT_EQ(kernels[1].counters.kernel, "sort");
   EXPECT_EQ(kernels[1].launches, 1u);
 }

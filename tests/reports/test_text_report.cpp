@@ -58,6 +58,15 @@ TEST(TextReport, SortsCausesByLossAndNamesWhatHasNoLine) {
   EXPECT_THAT(text, HasSubstr("4.0 lanes  instructions without a line\n"));
 }
 
+TEST(TextReport, TabulatesTheAnswers) {
+  const std::string text = text_report(sample::report());
+  EXPECT_THAT(text, HasSubstr("force: what if (the run: 4 lanes, loop_postdom, as launched)\n"));
+  EXPECT_THAT(text, HasSubstr("    4  min_pc              launched                  0.929            28   "
+                              "87.5 %        0 %          3.00\n"));
+  EXPECT_THAT(text, HasSubstr("    4  bound, pools of 64  launched                  1.000            22   "
+                              "68.8 %          -             -\n  the <kernel> has barriers\n"));
+}
+
 TEST(TextReport, LimitsItsDetails) {
   const std::string text = text_report(sample::report(), {.kernels = 1, .causes = 1, .lines = 1});
   EXPECT_THAT(text, Not(HasSubstr("sort: ")));
