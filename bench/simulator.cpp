@@ -112,9 +112,10 @@ class ForceKernel {
       benchmark::DoNotOptimize(runner->run({group, 0, 0}).data());
   }
 
-  LaunchCounters profile(const Executable& executable) const {
+  LaunchCounters profile(const Executable& executable, const std::vector<WhatIf>& what_if = {}) const {
     ProfileOptions options;
     options.threads = 1;
+    options.what_if = what_if;
     return profile_launch(executable, shape_, arguments_, "", options);
   }
 
@@ -172,6 +173,23 @@ void run_and_merge(benchmark::State& state, TraceMode mode) {
         static_cast<double>(loads.sectors) / static_cast<double>(loads.requests);
 }
 
+std::vector<WhatIf> four_widths_and_three_policies(const ThreadOrder& order) {
+  std::vector<WhatIf> questions;
+  for (const std::uint32_t width : {8U, 16U, 32U, 64U})
+    for (const MergePolicy policy : {MergePolicy::loop_postdom, MergePolicy::ipdom, MergePolicy::min_pc})
+      questions.push_back({width, policy, order, 0});
+  return questions;
+}
+
+// Twelve other warps beside: compare with run_and_merge.
+void run_and_ask(benchmark::State& state, TraceMode mode, const char* order) {
+  ForceKernel& kernel = force_kernel(state.range(0));
+  const Executable& executable = kernel.executable(mode);
+  const auto questions = four_widths_and_three_policies(ThreadOrder::from_name(order, "order"));
+  for (auto _ : state) benchmark::DoNotOptimize(kernel.profile(executable, questions).what_if.data());
+  state.SetItemsProcessed(state.iterations() * state.range(0));
+}
+
 // The same kernel on the OpenCL device, by its clock: what the simulation is measured against.
 void run_on_opencl(benchmark::State& state) {
   if (const std::string missing = backend("opencl").lacks(); !missing.empty()) {
@@ -203,6 +221,9 @@ BENCHMARK_CAPTURE(run_kernel, blocks, TraceMode::blocks)->Apply(sizes);
 BENCHMARK_CAPTURE(run_kernel, addresses, TraceMode::blocks_and_addresses)->Apply(sizes);
 BENCHMARK_CAPTURE(run_and_merge, blocks, TraceMode::blocks)->Apply(sizes);
 BENCHMARK_CAPTURE(run_and_merge, addresses, TraceMode::blocks_and_addresses)->Apply(sizes);
+BENCHMARK_CAPTURE(run_and_ask, blocks, TraceMode::blocks, "launched")->Apply(sizes);
+BENCHMARK_CAPTURE(run_and_ask, addresses, TraceMode::blocks_and_addresses, "launched")->Apply(sizes);
+BENCHMARK_CAPTURE(run_and_ask, sorted, TraceMode::blocks, "sorted")->Apply(sizes);
 
 }  // namespace
 

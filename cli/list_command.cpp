@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/machine.hpp"
 #include "cli/app.hpp"
 #include "cli/common_options.hpp"
 #include "cli/help_text.hpp"
@@ -68,6 +69,19 @@ Json list_backends() {
   return rows;
 }
 
+Json list_machines() {
+  Json rows = Json::array();
+  for (const Machine& machine : named_machines()) {
+    Json row{{"name", machine.name}, {"summary", machine.description}};
+    for (const MachineKey& key : machine_keys) {
+      const MachineValue& value = machine.*key.value;
+      row[std::string(key.key)] = {{"value", value.value}, {"source", value.source}};
+    }
+    rows.push_back(row);
+  }
+  return rows;
+}
+
 Json list_metrics() {
   Json rows = Json::array();
   for (const reports::Metric& metric : reports::metrics())
@@ -82,9 +96,10 @@ struct Listing {
   std::string_view name;
   Json (*rows)();
 };
-constexpr std::array<Listing, 5> listings{{{"scenes", list_scenes},
+constexpr std::array<Listing, 6> listings{{{"scenes", list_scenes},
                                            {"variants", list_variants},
                                            {"axes", list_axes},
+                                           {"machines", list_machines},
                                            {"backends", list_backends},
                                            {"metrics", list_metrics}}};
 

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <span>
 #include <string>
 
 #include "cli/app.hpp"
@@ -14,6 +15,7 @@
 #include "core/error.hpp"
 #include "profiler/launch_file.hpp"
 #include "reports/html/report_page.hpp"
+#include "reports/ptx_files.hpp"
 #include "reports/report_json.hpp"
 #include "reports/text_report.hpp"
 #include "variants/step_profile.hpp"
@@ -33,10 +35,19 @@ struct Options {
   std::string html;
 };
 
+// The PTX goes beside the JSON.
+reports::Report report_of(std::span<const profiler::LaunchProfile> launches, const Options& options) {
+  reports::Report report = reports::make_report(launches, command_line());
+  report.machine = options.simulator.load_machine();
+  const std::string& json = options.output.json;
+  if (!json.empty() && json != "-") reports::keep_ptx(report, launches, json);
+  return report;
+}
+
 reports::Report profile_launch_file(const Options& options, const profiler::ProfileOptions& how) {
   const profiler::LaunchFile file = profiler::read_launch_file(options.launch);
   const auto result = profiler::profile_launch_file(file, options.build_options, how, std::cout);
-  return reports::make_report(std::span(&result.profile, 1), command_line());
+  return report_of(std::span(&result.profile, 1), options);
 }
 
 reports::Report profile_scene(const Options& options, const profiler::ProfileOptions& how,
@@ -45,7 +56,7 @@ reports::Report profile_scene(const Options& options, const profiler::ProfileOpt
   const Variant variant = options.variant.resolve(scene);
   const Scene at_step = advanced(scene, variant, options.device.backend_options(), options.at_step, progress);
   const auto launches = profile_step(at_step, variant, how, options.device.backend_options());
-  reports::Report report = reports::make_report(launches, command_line());
+  reports::Report report = report_of(launches, options);
   report.scene = scene.name;
   report.variant = variant.name();
   report.particles = scene.particles.size();

@@ -14,16 +14,24 @@ void SimulatorOptions::add_to(CLI::App& command) {
   add_option(command, "--width", width);
   add_option(command, "--what-if", what_if);
   add_option(command, "--trace-memory", trace_memory);
+  add_option(command, "--machine", machine);
+}
+
+std::optional<Machine> SimulatorOptions::load_machine() const {
+  return machine.empty() ? std::nullopt : std::optional(warpgrain::load_machine(machine));
 }
 
 profiler::ProfileOptions SimulatorOptions::profile_options(const DeviceOptions& device,
                                                            Progress& progress) const {
   profiler::ProfileOptions options;
   options.policy = profiler::merge_policy_from_name(policy, "--policy");
-  if (width < 4 || width > 64 || !std::has_single_bit(width))
-    throw_input_error("--width", fmt::format("{} lanes", width), "4, 8, 16, 32 or 64");
-  options.warp_width = width;
-  if (!what_if.empty()) options.what_if = what_if_questions(what_if, width, options.policy);
+  if (width)
+    options.warp_width = *width;
+  else if (const auto of_machine = load_machine())
+    options.warp_width = static_cast<std::uint32_t>(of_machine->warp_width.value);
+  if (options.warp_width < 4 || options.warp_width > 64 || !std::has_single_bit(options.warp_width))
+    throw_input_error("--width", fmt::format("{} lanes", options.warp_width), "4, 8, 16, 32 or 64");
+  if (!what_if.empty()) options.what_if = what_if_questions(what_if, options.warp_width, options.policy);
   constexpr std::uint64_t largest = std::uint64_t{1} << 40;  // MiB: as good as no limit
   options.trace_memory = std::min(trace_memory, largest) << 20;
   options.threads = device.threads;

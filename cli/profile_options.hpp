@@ -3,9 +3,11 @@
 
 #include <CLI/App.hpp>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "analysis/machine.hpp"
 #include "cli/common_options.hpp"
 #include "cli/progress.hpp"
 #include "profiler/profile.hpp"
@@ -14,11 +16,14 @@ namespace warpgrain::cli {
 
 struct SimulatorOptions {
   std::string policy = "loop_postdom";
-  std::uint32_t width = 32;
+  std::optional<std::uint32_t> width;  // else the machine's, else 32
   std::vector<std::string> what_if;
   std::uint64_t trace_memory = 1024;  // MiB
+  std::string machine;                // a file or a name; empty: none
 
   void add_to(CLI::App& command);
+  // None when the call names none. Throws InputError for a file that is no machine.
+  std::optional<Machine> load_machine() const;
   // Throws InputError for a policy or width that there is not. `progress` must outlive the profile.
   profiler::ProfileOptions profile_options(const DeviceOptions& device, Progress& progress) const;
 };

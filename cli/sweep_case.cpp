@@ -11,6 +11,7 @@
 #include "cli/sweep_plan.hpp"
 #include "core/file_io.hpp"
 #include "reports/html/report_page.hpp"
+#include "reports/ptx_files.hpp"
 #include "reports/report_json.hpp"
 #include "variants/contact_laws.hpp"
 #include "variants/step_profile.hpp"
@@ -69,13 +70,16 @@ std::vector<reports::BackendReading> time_and_check(const SweepSetting& setting,
 }
 
 ProfiledCase profile_case(const SweepSetting& setting, const Variant& variant) {
-  reports::Report report = reports::make_report(
-      profile_step(setting.scene, variant, setting.profile, setting.backend), command_line());
+  const std::vector<profiler::LaunchProfile> launches =
+      profile_step(setting.scene, variant, setting.profile, setting.backend);
+  reports::Report report = reports::make_report(launches, command_line());
+  report.machine = setting.machine;
   report.scene = setting.scene.name;
   report.variant = variant.name();
   report.particles = setting.scene.particles.size();
   report.step = setting.at_step;
   ProfiledCase result{file_stem(variant) + ".report.json", reports::headline_of(reports::kernels_of(report))};
+  reports::keep_ptx(report, launches, setting.folder / result.report_file);
   write_file_atomically(setting.folder / result.report_file, reports::report_json(report));
   const auto page = std::filesystem::path(result.report_file).replace_extension(".html");
   write_file_atomically(setting.folder / page, reports::report_page(report));

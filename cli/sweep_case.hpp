@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct SweepSetting {
   std::uint64_t timed_steps = 0;
   BackendOptions backend;
   profiler::ProfileOptions profile;
+  std::optional<Machine> machine;
   std::filesystem::path folder;
 };
 
@@ -42,8 +44,8 @@ class ReferenceForces {
 std::vector<reports::BackendReading> time_and_check(const SweepSetting& setting, const Variant& variant,
                                                     ReferenceForces& reference);
 
-// Profiles one time step and writes its report, as JSON and as a page, into the folder; returns the file's
-// name and the headline numbers.
+// Profiles one time step and writes its report, as JSON and as a page, and its PTX into the folder; returns
+// the file's name and the headline numbers.
 struct ProfiledCase {
   std::string report_file;
   reports::Headline headline;

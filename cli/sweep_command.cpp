@@ -123,6 +123,7 @@ class Sweep {
     setting_.timed_steps = options_.steps;
     setting_.backend = options_.device.backend_options();
     setting_.profile = options_.simulator.profile_options(options_.device, progress_);
+    setting_.machine = options_.simulator.load_machine();
     setting_.folder = options_.out;
 
     reports::SweepIndex index;

@@ -4,6 +4,10 @@
 // all lanes are compared in one pass, so that a group that stays together mostly costs one table look-up a
 // block; waiting groups are kept in order of their place, so that one comparison says whether the running
 // group goes on; instructions and idle lanes are counted per stretch that a group runs, not per block.
+//
+// Under ipdom the groups are a stack in place of a list by place. Behind the parts of a group stands an entry
+// for the post-dominator at which they meet again; it gathers the parts as they come there, and runs when it
+// is on top.
 
 #include <algorithm>
 #include <array>
@@ -13,6 +17,7 @@
 #include <vector>
 
 #include "profiler/coalescing.hpp"
+#include "profiler/control_flow.hpp"
 #include "profiler/merge.hpp"
 #include "profiler/partings.hpp"
 #include "profiler/reconvergence.hpp"
@@ -24,6 +29,15 @@ namespace {
 constexpr std::uint32_t no_rank = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint32_t entries_ahead = sizeof(std::uint64_t) / sizeof(BlockIndex);
 
+template <bool stacked>
+class CountingMerger;
+
+// A virtual function or a template cannot be compiled for several processors; the bit loops gain from their
+// instructions.
+WARPGRAIN_VECTOR_CLONES void merge_warp(CountingMerger<false>& merger, std::span<const LaneTrace> traces);
+WARPGRAIN_VECTOR_CLONES void merge_warp(CountingMerger<true>& merger, std::span<const LaneTrace> traces);
+
+template <bool stacked>
 class CountingMerger : public WarpMerger {
  public:
   CountingMerger(const KernelGraph& graph, MergePolicy policy, WarpCounters& counters)
@@ -39,6 +53,7 @@ class CountingMerger : public WarpMerger {
       step.first_access = static_cast<std::uint32_t>(access_bytes_.size());
       step.n_successors = static_cast<std::uint32_t>(block.successors.size());
       if (!block.successors.empty()) step.first_successor = block.successors[0];
+      step.meeting = reconvergence.immediate_post_dominator[b];
       step.chained = block.successors.size() == 1 && !graph.blocks[block.successors[0]].recorded;
       steps_.push_back(step);
       for (const MemoryAccess& access : block.accesses) access_bytes_.push_back(access.bytes);
@@ -46,13 +61,6 @@ class CountingMerger : public WarpMerger {
   }
 
   void merge(std::span<const LaneTrace> traces) override { merge_warp(*this, traces); }
-
- private:
-  // A virtual function cannot be compiled for several processors; the bit loops gain from their instructions.
-  WARPGRAIN_VECTOR_CLONES [[gnu::flatten]] static void merge_warp(CountingMerger& merger,
-                                                                  std::span<const LaneTrace> traces) {
-    merger.merge_lanes(traces);
-  }
 
   void merge_lanes(std::span<const LaneTrace> traces) {
     std::uint64_t lanes = 0;
@@ -67,15 +75,24 @@ class CountingMerger : public WarpMerger {
     with_addresses_ = addresses_[static_cast<std::size_t>(std::countr_zero(lanes))] != nullptr;
     n_partings_ = 0;
     const std::uint64_t width_mask = std::numeric_limits<std::uint64_t>::max() >> (64 - counters_.warp_width);
-    wait({lanes, 0, steps_[0].rank, partings_.root(counters_.never_used(), width_mask & ~lanes)});
-    while (n_waiting_ != 0) run(waiting_[--n_waiting_]);
+    waiting_[0] = {lanes, 0, steps_[0].rank, partings_.root(counters_.never_used(), width_mask & ~lanes)};
+    n_waiting_ = 1;
+    while (n_waiting_ != 0) {
+      const Group group = waiting_[--n_waiting_];
+      if (stacked && group.block == group.until)
+        arrive(group);
+      else
+        run(group);
+    }
   }
 
+ private:
   struct Step {  // what merging needs to know of a block
     std::uint32_t rank = 0;
     std::uint32_t instructions = 0;
     std::uint32_t n_accesses = 0, first_access = 0;
     std::uint32_t n_successors = 0, first_successor = 0;
+    std::uint32_t meeting = 0;  // the immediate post-dominator
     bool join = false;
     bool chained = false;  // goes to its only successor, and that is not recorded
   };
@@ -83,6 +100,8 @@ class CountingMerger : public WarpMerger {
     std::uint64_t lanes;
     std::uint32_t block, rank;
     Partings::Node node;
+    // Of a stacked group: the block at which it ends, and the entry of waiting_ that gathers it there.
+    std::uint32_t until = no_block, gathered_in = 0;
   };
 
   // Runs a group until it reaches another one's place, parts, or ends.
@@ -117,10 +136,13 @@ class CountingMerger : public WarpMerger {
         if (step.n_successors > 1 && next == step.first_successor) counters_.taken_lanes[block] += n_lanes_;
       }
       const Step& next_step = steps_[next];
-      if (next_step.rank > bound || (next_step.rank == bound && next_step.join)) {
+      const bool stops = stacked ? next == group.until
+                                 : next_step.rank > bound || (next_step.rank == bound && next_step.join);
+      if (stops) {
         partings_.issue(group.node, instructions);
         store();
-        wait({group.lanes, next, next_step.rank, group.node});
+        const Group stopped{group.lanes, next, next_step.rank, group.node, group.until, group.gathered_in};
+        stacked ? arrive(stopped) : wait(stopped);
         return;
       }
       block = next;
@@ -168,6 +190,9 @@ class CountingMerger : public WarpMerger {
     ++n_partings_;
     const std::size_t at = n_read_++;
     const std::uint32_t n_ways = steps_[block].n_successors;
+    const std::uint32_t meeting = steps_[block].meeting, gathered_in = n_waiting_;
+    if (stacked && meeting != no_block)
+      waiting_[n_waiting_++] = {0, meeting, steps_[meeting].rank, group.node, group.until, group.gathered_in};
     std::uint64_t left = group.lanes;
     while (left != 0) {
       // The lowest lane that is left, and all that go with it: with two ways, after the first one all that
@@ -177,8 +202,15 @@ class CountingMerger : public WarpMerger {
       left &= ~lanes;
       if (to == steps_[block].first_successor)
         counters_.taken_lanes[block] += static_cast<std::uint64_t>(std::popcount(lanes));
-      wait(
-          {lanes, to, steps_[to].rank, partings_.part(group.node, block, group.lanes & ~lanes, n_partings_)});
+      const Group part{lanes,           to,
+                       steps_[to].rank, partings_.part(group.node, block, group.lanes & ~lanes, n_partings_),
+                       meeting,         gathered_in};
+      if (!stacked)
+        wait(part);
+      else if (to == meeting)
+        arrive(part);
+      else
+        waiting_[n_waiting_++] = part;
     }
     store();
     partings_.release(group.node);
@@ -206,6 +238,15 @@ class CountingMerger : public WarpMerger {
     for (std::uint32_t i = n_waiting_; i > place; --i) waiting_[i] = waiting_[i - 1];
     waiting_[place] = group;
     ++n_waiting_;
+  }
+
+  // A stacked group has come to the block at which the parts of its parent meet.
+  void arrive(const Group& group) {
+    Group& gathered = waiting_[group.gathered_in];
+    gathered.node = gathered.lanes == 0
+                        ? group.node
+                        : partings_.join(gathered.node, group.node, gathered.lanes | group.lanes);
+    gathered.lanes |= group.lanes;
   }
 
   void count_accesses(const Step& step) {
@@ -239,30 +280,29 @@ class CountingMerger : public WarpMerger {
   std::array<const std::uint64_t*, max_warp_width> lane_addresses_{};
   std::size_t n_read_ = 0, n_addresses_read_ = 0;
 
-  // By rank, highest first; of the same rank, the one that came last is the last.
-  std::array<Group, max_warp_width> waiting_{};
+  // By rank, highest first; of the same rank, the one that came last is the last. As a stack it holds at most
+  // twice as many: each lane is in one entry, and an entry that gathers without lanes has two groups or more
+  // above it.
+  std::array<Group, std::size_t{2} * max_warp_width> waiting_{};
   std::uint32_t n_waiting_ = 0;
 };
 
-// For the policy that the fast way does not know.
-class ObservedCountingMerger : public WarpMerger {
- public:
-  ObservedCountingMerger(const KernelGraph& graph, MergePolicy policy, WarpCounters& counters)
-      : observer_(graph, counters),
-        merger_(make_observed_merger(graph, policy, counters.warp_width, observer_)) {}
-  void merge(std::span<const LaneTrace> traces) override { merger_->merge(traces); }
+WARPGRAIN_VECTOR_CLONES [[gnu::flatten]] void merge_warp(CountingMerger<false>& merger,
+                                                         std::span<const LaneTrace> traces) {
+  merger.merge_lanes(traces);
+}
 
- private:
-  WarpCounterObserver observer_;
-  std::unique_ptr<WarpMerger> merger_;
-};
+WARPGRAIN_VECTOR_CLONES [[gnu::flatten]] void merge_warp(CountingMerger<true>& merger,
+                                                         std::span<const LaneTrace> traces) {
+  merger.merge_lanes(traces);
+}
 
 }  // namespace
 
 std::unique_ptr<WarpMerger> make_counting_merger(const KernelGraph& graph, MergePolicy policy,
                                                  WarpCounters& counters) {
-  if (policy == MergePolicy::ipdom) return std::make_unique<ObservedCountingMerger>(graph, policy, counters);
-  return std::make_unique<CountingMerger>(graph, policy, counters);
+  if (policy == MergePolicy::ipdom) return std::make_unique<CountingMerger<true>>(graph, policy, counters);
+  return std::make_unique<CountingMerger<false>>(graph, policy, counters);
 }
 
 }  // namespace warpgrain::profiler

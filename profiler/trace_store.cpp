@@ -9,6 +9,8 @@ namespace warpgrain::profiler {
 namespace {
 
 constexpr std::size_t entries_a_piece = std::size_t{1} << 18;
+// Its trace, and in thread_permutation.cpp its count and two lists of places and threads.
+constexpr std::uint64_t bytes_a_thread = sizeof(const BlockIndex*) + 4 * sizeof(std::uint64_t);
 constexpr std::size_t readable_behind = 3;  // what trace.hpp promises readers
 // Of the table that finds equal traces, a distinct one: key, pointer, chain, hash and bucket.
 constexpr std::uint64_t bytes_a_table_entry = 40;
@@ -16,7 +18,7 @@ constexpr std::uint64_t bytes_a_table_entry = 40;
 }  // namespace
 
 TraceStore::TraceStore(std::uint64_t n_threads, std::uint64_t limit) : limit_(limit) {
-  count(n_threads * sizeof(const BlockIndex*));
+  count(n_threads * bytes_a_thread);
   traces_.resize(n_threads);
 }
 

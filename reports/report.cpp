@@ -34,7 +34,8 @@ Report make_report(std::span<const profiler::LaunchProfile> launches, std::strin
                                 .text = launch.source,
                                 .hash = text_hash(launch.source),
                                 .compiler = launch.compiler,
-                                .command = launch.compile_command}});
+                                .command = launch.compile_command},
+                               {text_hash(launch.ptx), {}}});
   return report;
 }
 

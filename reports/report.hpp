@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/machine.hpp"
 #include "profiler/profile.hpp"
 #include "reports/generator.hpp"
 #include "reports/source_text.hpp"
@@ -19,9 +20,16 @@ namespace warpgrain::reports {
 
 inline constexpr std::string_view report_format = "warpgrain.report/1";
 
+// The PTX that was run, so that the same code can be run on a GPU.
+struct PtxModule {
+  std::string hash;  // text_hash of it
+  std::string file;  // beside the report; empty where it was not kept
+};
+
 struct LaunchReport {
   profiler::LaunchCounters counters;
   SourceText source;
+  PtxModule ptx;
 };
 
 struct Report {
@@ -31,7 +39,7 @@ struct Report {
   std::optional<std::string> variant;  // branchy/cells/cell/fp32/default
   std::optional<std::uint64_t> particles;
   std::optional<std::uint64_t> step;   // the time step that was profiled, 0 = the first
-  std::optional<std::string> machine;  // the machine model, where one was asked for
+  std::optional<Machine> machine;      // where one was asked for
   std::string weights = "ptx";         // what an instruction is: PTX as compiled
   std::vector<std::string> limits;     // what the counts do not say, in sentences
   std::vector<LaunchReport> launches;  // in the order of launching

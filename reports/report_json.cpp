@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "analysis/sfu_cost.hpp"
 #include "reports/counters_json.hpp"
 #include "reports/json_fields.hpp"
 #include "reports/json_text.hpp"
@@ -24,26 +25,50 @@ Json array_of(const std::vector<T>& values, const Options&... options) {
   return array;
 }
 
-Json launch_json(const LaunchReport& launch, bool with_text) {
+Json machine_json(const Machine& machine) {
+  Json json{{"name", machine.name}, {"description", machine.description}};
+  for (const MachineKey& key : machine_keys) {
+    const MachineValue& value = machine.*key.value;
+    json[std::string(key.key)] = {{"value", value.value}, {"source", value.source}};
+    if (key.whole) json[std::string(key.key)]["value"] = static_cast<std::uint64_t>(value.value);
+  }
+  return json;
+}
+
+Json sfu_json(const profiler::LaunchCounters& counters, const Machine& machine) {
+  const SfuCost cost = sfu_cost(counters.totals, counters.warp_width, machine);
+  return {{"instructions", cost.instructions},
+          {"serialisation", cost.serialisation},
+          {"cycles", cost.cycles},
+          {"issue_cycles", cost.issue_cycles},
+          {"share", cost.share()}};
+}
+
+Json launch_json(const LaunchReport& launch, const std::optional<Machine>& machine, bool with_text) {
   const profiler::LaunchCounters& counters = launch.counters;
   Json source{{"name", launch.source.name},
               {"hash", launch.source.hash},
               {"compiler", launch.source.compiler},
               {"command", launch.source.command}};
   if (with_text) source["text"] = launch.source.text;
-  return {{"kernel", counters.kernel},
-          {"global_size", counters.shape.global_size},
-          {"local_size", counters.shape.local_size},
-          {"warp_width", counters.warp_width},
-          {"policy", counters.policy},
-          {"warps", counters.warps},
-          {"totals", to_json(counters.totals, counters.warp_width)},
-          {"lane_slots_never_used", counters.lane_slots_never_used},
-          {"branches", array_of(counters.branches, counters)},
-          {"lines", array_of(counters.lines, counters.warp_width)},
-          {"blocks", array_of(counters.blocks)},
-          {"what_if", array_of(counters.what_if)},
-          {"source", source}};
+  Json ptx{{"hash", launch.ptx.hash}};
+  if (!launch.ptx.file.empty()) ptx["file"] = launch.ptx.file;
+  Json json{{"kernel", counters.kernel},
+            {"global_size", counters.shape.global_size},
+            {"local_size", counters.shape.local_size},
+            {"warp_width", counters.warp_width},
+            {"policy", counters.policy},
+            {"warps", counters.warps},
+            {"totals", to_json(counters.totals, counters.warp_width)},
+            {"lane_slots_never_used", counters.lane_slots_never_used},
+            {"branches", array_of(counters.branches, counters)},
+            {"lines", array_of(counters.lines, counters.warp_width)},
+            {"blocks", array_of(counters.blocks)},
+            {"what_if", array_of(counters.what_if)},
+            {"ptx", ptx},
+            {"source", source}};
+  if (machine) json["sfu"] = sfu_json(counters, *machine);
+  return json;
 }
 
 template <class Integer>
@@ -97,6 +122,7 @@ LaunchReport launch_from(const JsonReader& place, Texts& texts) {
                 fmt::format("less than {} blocks", counters.blocks.size()));
   for (const JsonReader& answer : place.at("what_if").elements())
     counters.what_if.push_back(what_if_from(answer));
+  launch.ptx = {place.at("ptx").at("hash").string(), optional_string(place.at("ptx"), "file").value_or("")};
   launch.source = source_from(place.at("source"), texts);
   return launch;
 }
@@ -109,13 +135,14 @@ std::string report_json(const Report& report) {
   if (report.variant) json["variant"] = *report.variant;
   if (report.particles) json["particles"] = *report.particles;
   if (report.step) json["step"] = *report.step;
-  if (report.machine) json["machine"] = *report.machine;
+  if (report.machine) json["machine"] = machine_json(*report.machine);
   json["weights"] = report.weights;
   json["limits"] = report.limits;
   json["launches"] = Json::array();
   std::set<std::string> written;
   for (const LaunchReport& launch : report.launches)
-    json["launches"].push_back(launch_json(launch, written.insert(launch.source.hash).second));
+    json["launches"].push_back(
+        launch_json(launch, report.machine, written.insert(launch.source.hash).second));
   return json_text(json, "report");
 }
 
@@ -128,7 +155,7 @@ Report read_report(const std::filesystem::path& file) {
   report.variant = optional_string(root, "variant");
   report.particles = optional_whole_number(root, "particles");
   report.step = optional_whole_number(root, "step");
-  report.machine = optional_string(root, "machine");
+  if (const auto machine = root.maybe("machine")) report.machine = machine_from(*machine);
   report.weights = root.at("weights").string();
   for (const JsonReader& limit : root.at("limits").elements()) report.limits.push_back(limit.string());
   Texts texts;

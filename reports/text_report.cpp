@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/sfu_cost.hpp"
 #include "reports/number_text.hpp"
 #include "reports/summary.hpp"
 #include "reports/text_table.hpp"
@@ -39,6 +40,27 @@ std::string kernel_table(const Report& report, const std::vector<KernelSummary>&
     table.add_row(row_of(kernel.counters.kernel, kernel.launches, headline_of(kernel.counters)));
   if (kernels.size() > 1) table.add_row(row_of("all", report.launches.size(), headline_of(kernels)));
   return table.text();
+}
+
+std::string sfu_table(const Machine& machine, const std::vector<KernelSummary>& kernels) {
+  using enum TextTable::Align;
+  TextTable table({{"kernel", left},
+                   {"SFU instructions", right},
+                   {"SFU cycles", right},
+                   {"issue cycles", right},
+                   {"SFU/issue", right}});
+  double serialisation = 0;
+  for (const KernelSummary& kernel : kernels) {
+    const SfuCost cost = sfu_cost(kernel.counters.totals, kernel.counters.warp_width, machine);
+    serialisation = cost.serialisation;
+    table.add_row({kernel.counters.kernel, count_text(cost.instructions),
+                   count_text(static_cast<std::uint64_t>(cost.cycles)),
+                   count_text(static_cast<std::uint64_t>(cost.issue_cycles)),
+                   percent_text(cost.cycles, cost.issue_cycles)});
+  }
+  return fmt::format(
+      "\n{}: an instruction on the special-function units takes {} times the cycles of 32-bit arithmetic\n{}",
+      machine.name, fixed_text(serialisation, 1), table.text());
 }
 
 // Names below the folder that a program was compiled in are short already; others are cut to the file.
@@ -126,6 +148,7 @@ std::string what_if_table(const KernelSummary& kernel) {
 std::string text_report(const Report& report, const TextReportOptions& options) {
   const std::vector<KernelSummary> kernels = kernels_of(report);
   std::string text = title_of(report) + "\n\n" + kernel_table(report, kernels);
+  if (report.machine) text += sfu_table(*report.machine, kernels);
   for (std::size_t k = 0; k < std::min(kernels.size(), options.kernels); ++k) {
     const KernelSummary& kernel = kernels[k];
     if (const std::string losses = loss_list(kernel, options.causes); !losses.empty())

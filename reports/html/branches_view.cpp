@@ -30,7 +30,8 @@ std::string branches_view(const KernelSummary& kernel) {
                {"lost lane slots", std::string(metric("lane_slots_lost").definition)},
                {"executions", "by warps"},
                {"lanes disagreed", "share of the executions"},
-               {"lanes that took it", "share of the lanes that executed it"}});
+               {"lanes that took it", "share of the lanes that executed it"},
+               {"by active lanes", "executions by number of active lanes, each branch to its own largest"}});
   const auto lost = static_cast<double>(kernel.lane_slots_lost());
   for (const profiler::BranchTotals& branch : kernel.counters.branches)
     table.add_row({{fmt::format("<span class=\"mono\">{}</span>", escape(branch.label)), {}, {}},
@@ -39,7 +40,8 @@ std::string branches_view(const KernelSummary& kernel) {
                    count_cell(branch.lane_slots_lost),
                    count_cell(branch.executions),
                    share_cell(static_cast<double>(branch.divergent), static_cast<double>(branch.executions)),
-                   share_cell(static_cast<double>(branch.taken_lanes), static_cast<double>(branch.lanes))});
+                   share_cell(static_cast<double>(branch.taken_lanes), static_cast<double>(branch.lanes)),
+                   {lanes_bars(kernel.counters.blocks.at(branch.block).lane_histogram), {}, {}}});
   return fmt::format(
       "<h3>Branches by loss</h3>\n<p>{}</p>\n{}", escape(introduction(kernel)),
       kernel.counters.branches.empty() ? "<p class=\"soft\">No conditional branch.</p>\n" : table.html());

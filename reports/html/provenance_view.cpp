@@ -20,7 +20,7 @@ std::string provenance_view(const Report& report) {
   html += entry("command", report.command_line);
   html += entry("format", report_format);
   html += entry("instructions", report.weights);
-  if (report.machine) html += entry("machine", *report.machine);
+  if (report.machine) html += entry("machine", report.machine->name);
   std::set<std::string> seen;  // what launches share is said once
   for (const LaunchReport& launch : report.launches) {
     if (seen.insert(launch.counters.policy).second)
@@ -30,6 +30,7 @@ std::string provenance_view(const Report& report) {
     html += entry("source", fmt::format("{}  {}", launch.source.name, launch.source.hash));
     html += entry("compiler", launch.source.compiler);
     html += entry("options", launch.source.command);
+    if (!launch.ptx.file.empty()) html += entry("PTX", launch.ptx.file);
   }
   html += "</dl>\n<h2>What they do not say</h2>\n<ul>\n";
   for (const std::string& limit : report.limits) html += fmt::format("<li>{}</li>\n", escape(limit));

@@ -21,7 +21,8 @@ std::string kernel_section(const KernelSummary& kernel, std::uint64_t all_instru
       percent_text(static_cast<double>(counters.totals.warp_instructions),
                    static_cast<double>(all_instructions)),
       fixed_text(headline.simt_efficiency, 3), html::histogram_view(counters), html::branches_view(kernel),
-      html::what_if_view(kernel) + html::source_view(kernel), html::instruction_mix_view(counters.totals));
+      html::what_if_view(kernel) + html::source_view(kernel) + html::blocks_view(kernel),
+      html::instruction_mix_view(counters.totals));
 }
 
 }  // namespace
@@ -32,6 +33,7 @@ std::string report_page(const Report& report) {
   std::string body =
       fmt::format("<h1>{}</h1>\n<p class=\"soft\">SIMT divergence report</p>\n{}{}", html::escape(title),
                   html::headline_view(kernels), html::kernels_view(report, kernels));
+  body += html::machine_view(report, kernels);
   body += "<h2>Kernel by kernel</h2>\n";
   const std::uint64_t all_instructions = headline_of(kernels).warp_instructions;
   for (const KernelSummary& kernel : kernels)

@@ -14,7 +14,7 @@ using profiler::LineTotals;
 using profiler::Totals;
 
 constexpr std::size_t context = 2;  // lines without instructions that stay beside lines with some
-constexpr std::string_view empty_cells = "<td></td><td></td><td></td><td></td><td></td>";
+constexpr std::string_view empty_cells = "<td></td><td></td><td></td><td></td><td></td><td></td>";
 
 double lost_slots(const Totals& totals, std::uint32_t warp_width) {
   return static_cast<double>(totals.warp_instructions) * warp_width -
@@ -57,13 +57,14 @@ std::string cells_of(const Totals& t, const Scale& scale, std::uint32_t warp_wid
   return heat_cell(count_text(t.warp_instructions), issued, scale.warp_instructions) +
          fmt::format("<td class=\"heat\" style=\"--h:{:.3f}\">{}</td>", 1 - t.simt_efficiency(warp_width),
                      fixed_text(t.active_lanes(), 1)) +
+         fmt::format("<td>{}</td>", lanes_bars(t.lane_histogram)) +
          heat_cell(count_text(static_cast<std::uint64_t>(lost)), lost, scale.lost) +
          heat_cell(count_text(t.sfu_instructions), static_cast<double>(t.sfu_instructions), scale.sfu) +
          heat_cell(count_text(static_cast<std::uint64_t>(sectors(t))), sectors(t), scale.sectors);
 }
 
 std::string gap_row(std::size_t lines) {
-  return fmt::format("<tr class=\"gap\"><td colspan=\"7\">{} {} without instructions</td></tr>\n", lines,
+  return fmt::format("<tr class=\"gap\"><td colspan=\"8\">{} {} without instructions</td></tr>\n", lines,
                      lines == 1 ? "line" : "lines");
 }
 
@@ -73,7 +74,7 @@ std::string row(std::string_view cells, std::uint32_t number, std::string_view c
 }
 
 std::string file_row(std::string_view file) {
-  return fmt::format("<tr><td class=\"text\" colspan=\"7\"><b>{}</b></td></tr>\n", escape(file));
+  return fmt::format("<tr><td class=\"text\" colspan=\"8\"><b>{}</b></td></tr>\n", escape(file));
 }
 
 using Counts = std::map<std::pair<std::string_view, std::uint32_t>, const LineTotals*>;
@@ -119,7 +120,8 @@ std::string source_view(const KernelSummary& kernel) {
       "<h3>Source</h3>\n<p class=\"soft\">Each column is shaded by its own largest value; active lanes by "
       "how few they "
       "are.</p>\n<div class=\"scroll\"><table class=\"source\">\n<thead><tr><th>warp instructions</th>"
-      "<th>active lanes</th><th>lost lane slots</th><th>SFU</th><th>sectors</th><th>line</th>"
+      "<th>active lanes</th><th>by active lanes</th><th>lost lane "
+      "slots</th><th>SFU</th><th>sectors</th><th>line</th>"
       "<th class=\"text\">code</th></tr></thead>\n<tbody>\n";
   html += source_rows(kernel, scale, counts);
   if (!counts.empty()) html += file_row("not in this source");

@@ -1,6 +1,7 @@
 #pragma once
 // The parts of a report's page, one a file. Each returns HTML.
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,15 @@ std::string what_if_view(const KernelSummary& kernel);
 
 // The source, line by line, with what each line cost. Stretches that made no instruction are left out.
 std::string source_view(const KernelSummary& kernel);
+
+// The basic blocks of the PTX, with their histograms of active lanes.
+std::string blocks_view(const KernelSummary& kernel);
+
+// A small drawing of a histogram of active lanes; empty when it is.
+std::string lanes_bars(const std::vector<std::uint64_t>& lane_histogram);
+
+// What the special-function units cost on the report's machine; empty without one.
+std::string machine_view(const Report& report, const std::vector<KernelSummary>& kernels);
 
 std::string instruction_mix_view(const profiler::Totals& totals);
 

@@ -61,6 +61,33 @@ TEST_F(Commands, ProfileDumpsAndReports) {
   ASSERT_EQ(report.launches.size(), 1u);
   EXPECT_EQ(report.launches[0].counters.totals.divergent_branches, 2u);
   EXPECT_THAT(read("r.html"), HasSubstr("lower half"));
+  // The PTX beside the report runs the same.
+  EXPECT_EQ(report.launches[0].ptx.file, "r.ptx");
+  const std::string again = write("p.sim", "r.ptx\nhalves\n64 1 1\n64 1 1\n<size=256 int fill=1>\n");
+  ASSERT_EQ(call({"profile", again, "--json", path("p.json")}), 0) << err_;
+  EXPECT_EQ(reports::read_report(path("p.json")).launches[0].counters.totals,
+            report.launches[0].counters.totals);
+}
+
+TEST_F(Commands, ProfileWeighsSpecialFunctionsOnAMachine) {
+  ASSERT_EQ(call({"list", "machines", "--json", "-"}), 0);
+  EXPECT_EQ(nlohmann::json::parse(out_)["machines"].size(), named_machines().size());
+  write("k.cl",
+        "kernel void roots(global float* a) {\n  a[get_global_id(0)] = "
+        "native_rsqrt(a[get_global_id(0)]);\n}\n");
+  const std::string launch = write("k.sim", "k.cl\nroots\n64 1 1\n64 1 1\n<size=256 float fill=2>\n");
+  ASSERT_EQ(call({"profile", launch, "--machine", "fermi_c2050", "--json", path("r.json")}), 0) << err_;
+  EXPECT_THAT(out_, HasSubstr("takes 8.0 times the cycles of 32-bit arithmetic"));
+  const auto sfu = nlohmann::json::parse(read("r.json"))["launches"][0]["sfu"];
+  EXPECT_EQ(sfu["instructions"], 2);
+  EXPECT_EQ(sfu["cycles"], 16);
+  EXPECT_EQ(reports::read_report(path("r.json")).machine->name, "fermi_c2050");
+  EXPECT_EQ(call({"profile", launch, "--machine", "c2050"}), 2);
+  EXPECT_THAT(err_, HasSubstr("unknown file or machine 'c2050'; valid: "));
+  const std::string broken = write("m.json", R"({"format": "warpgrain.machine/1", "name": "m"})");
+  EXPECT_EQ(call({"profile", launch, "--machine", broken}), 2);
+  EXPECT_THAT(err_, HasSubstr("m.json: 'description' is missing"));
+  EXPECT_EQ(error_lines(), 1u);
 }
 
 TEST_F(Commands, ProfileAnswersWhatIfs) {
@@ -133,7 +160,10 @@ TEST_F(Commands, SweepResumesAndShards) {
   ASSERT_EQ(all.cases.size(), 2u);
   for (const reports::SweepCase& row : all.cases) {
     EXPECT_EQ(row.status, reports::CaseStatus::done) << row.message;
-    EXPECT_EQ(reports::read_report(path("a/" + row.report_file.value())).variant, row.variant);
+    const reports::Report report = reports::read_report(path("a/" + row.report_file.value()));
+    EXPECT_EQ(report.variant, row.variant);
+    for (const auto& launch : report.launches)
+      EXPECT_THAT(read("a/" + launch.ptx.file), HasSubstr(".entry " + launch.counters.kernel));
   }
 
   ASSERT_EQ(call(with({"--out", path("b"), "--shard", "2/2"})), 0) << err_;

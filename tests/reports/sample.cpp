@@ -82,6 +82,7 @@ profiler::LaunchProfile launch(const std::string& kernel) {
       {warp_width, "", "launched", 64, 0, of_a_pool(totals(11, 0)), false, remark}};
   profile.source = source_text;
   profile.source_name = "step.cl";
+  profile.ptx = "// " + kernel;
   profile.compiler = "clang version 15.0.6";
   profile.compile_command = "-cl-std=CL1.2";
   return profile;
@@ -94,6 +95,8 @@ Report report() {
   r.variant = "branchy/cells/cell/fp32/default";
   r.particles = 16384;
   r.step = 4000;
+  r.machine = load_machine("fermi_c2050");
+  r.launches[0].ptx.file = "report.ptx";
   return r;
 }
 

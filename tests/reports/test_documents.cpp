@@ -67,6 +67,20 @@ TEST(Documents, ReportsSayWhatFollowsFromTheirCounts) {
   EXPECT_FALSE(totals.contains("global_store_efficiency")) << "there are no stores";
 }
 
+TEST(Documents, ReportsSayWhatSpecialFunctionsCostOnTheMachine) {
+  Report report = sample::report();
+  const Json json = Json::parse(report_json(report));
+  EXPECT_EQ(json["machine"]["name"], "fermi_c2050");
+  EXPECT_EQ(json["machine"]["sfu_lanes"]["value"], 4);
+  const Json& sfu = json["launches"][0]["sfu"];
+  EXPECT_EQ(sfu["instructions"], 6);
+  EXPECT_EQ(sfu["serialisation"], 8);
+  EXPECT_EQ(sfu["cycles"], 6 * sample::warp_width / 4);
+  EXPECT_EQ(sfu["issue_cycles"], 16);
+  report.machine.reset();
+  EXPECT_FALSE(Json::parse(report_json(report))["launches"][0].contains("sfu"));
+}
+
 TEST(Documents, AnswersHoldWhatIsKnown) {
   const Json what_if = Json::parse(report_json(sample::report()))["launches"][0]["what_if"];
   EXPECT_TRUE(what_if[0]["totals"].contains("global_load_sectors"));

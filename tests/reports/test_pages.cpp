@@ -58,13 +58,18 @@ TEST(Pages, ShadeTheSourceAndLeaveOutWhatMadeNoInstruction) {
   Report report = sample::report();
   for (LaunchReport& launch : report.launches) launch.source.text += std::string(20, '\n');
   const std::string page = report_page(report);
-  EXPECT_THAT(page,
-              HasSubstr("<tr><td class=\"heat\" style=\"--h:0.600\">12</td>"
-                        "<td class=\"heat\" style=\"--h:0.500\">2.0</td>"
-                        "<td class=\"heat\" style=\"--h:1.000\">24</td>"
-                        "<td class=\"heat\" style=\"--h:1.000\">12</td><td></td>"
-                        "<td class=\"number\">3</td>"
-                        "<td class=\"code\">    force[i] = sqrt(overlap) /* &lt;&amp;&gt; */;</td></tr>"));
+  EXPECT_THAT(
+      page,
+      HasSubstr(
+          "<tr><td class=\"heat\" style=\"--h:0.600\">12</td>"
+          "<td class=\"heat\" style=\"--h:0.500\">2.0</td>"
+          "<td><svg class=\"lanes\" viewBox=\"0 0 5 16\" preserveAspectRatio=\"none\"><title>executions "
+          "by active lanes, 0 to 4</title><rect x=\"2\" y=\"0.00\" width=\"0.9\" "
+          "height=\"16.00\"/></svg></td>"
+          "<td class=\"heat\" style=\"--h:1.000\">24</td>"
+          "<td class=\"heat\" style=\"--h:1.000\">12</td><td></td>"
+          "<td class=\"number\">3</td>"
+          "<td class=\"code\">    force[i] = sqrt(overlap) /* &lt;&amp;&gt; */;</td></tr>"));
   EXPECT_THAT(page, HasSubstr("19 lines without instructions"));
 }
 
@@ -75,6 +80,13 @@ TEST(Pages, TabulateTheAnswers) {
   Report report = sample::report();
   for (LaunchReport& launch : report.launches) launch.counters.what_if.clear();
   EXPECT_THAT(report_page(report), Not(HasSubstr("What if")));
+}
+
+TEST(Pages, ShowBasicBlocksAndTheMachine) {
+  const std::string page = report_page(sample::report());
+  EXPECT_THAT(page, AllOf(HasSubstr("2 of the PTX"), HasSubstr("<td class=\"text\">then</td>"),
+                          HasSubstr("<h2>On fermi_c2050</h2>"), HasSubstr("takes 8 times the cycles"),
+                          HasSubstr("report.ptx")));
 }
 
 TEST(Pages, ShowLinesOfNoSource) {

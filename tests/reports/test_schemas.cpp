@@ -65,7 +65,7 @@ TEST(Schemas, ReportsAsWrittenAreValid) {
   bare.variant.reset();
   bare.particles.reset();
   bare.step.reset();
-  bare.machine = "h100";
+  bare.machine.reset();
   expect_valid("report-1.schema.json",
                {{"of a scene", report_json(sample::report())}, {"of a launch file", report_json(bare)}});
 }
@@ -104,6 +104,10 @@ TEST(Schemas, BrokenReportsAreRefused) {
         [](Json& d) { d["launches"][0]["what_if"][0]["order"] = "random"; }},
        {"a share above 1", "$.launches[0].branches[0].loss_share",
         [](Json& d) { d["launches"][0]["branches"][0]["loss_share"] = 1.5; }},
+       {"a machine without sources", "$.machine.lanes",
+        [](Json& d) { d["machine"]["lanes"].erase("source"); }},
+       {"a module without a hash", "$.launches[0].ptx",
+        [](Json& d) { d["launches"][0]["ptx"].erase("hash"); }},
        {"no text at first", "$.launches[0].source",
         [](Json& d) { d["launches"][0]["source"].erase("text"); }},
        {"a hash of another kind", "$.launches[0].source.hash",
@@ -136,6 +140,20 @@ TEST(Schemas, Sweeps) {
         [](Json& d) { d["cases"][0]["backends"][0]["seconds_per_step"] = 0; }},
        {"half an error", "$.cases[0].backends[0].force_error",
         [](Json& d) { d["cases"][0]["backends"][0]["force_error"].erase("maximum"); }}});
+}
+
+TEST(Schemas, Machines) {
+  std::vector<Case> machines;
+  for (const auto& entry : std::filesystem::directory_iterator(WARPGRAIN_SOURCE_DIR "/profiler/machines"))
+    if (entry.path().extension() == ".json")
+      machines.push_back({entry.path().filename().string(), read_text_file(entry.path(), 1 << 20)});
+  EXPECT_GE(machines.size(), 4u);
+  expect_valid("machine-1.schema.json", machines);
+  expect_refused("machine-1.schema.json", machines.at(0).text,
+                 {{"no lanes", "$", [](Json& d) { d.erase("lanes"); }},
+                  {"half a lane", "$.sfu_lanes.value", [](Json& d) { d["sfu_lanes"]["value"] = 0.5; }},
+                  {"a value without a source", "$.clock", [](Json& d) { d["clock"].erase("source"); }},
+                  {"an odd width", "$.warp_width.value", [](Json& d) { d["warp_width"]["value"] = 24; }}});
 }
 
 // contracts.md's example of a scene.

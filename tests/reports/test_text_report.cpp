@@ -67,6 +67,16 @@ TEST(TextReport, TabulatesTheAnswers) {
                               "68.8 %          -             -\n  the <kernel> has barriers\n"));
 }
 
+TEST(TextReport, SaysWhatSpecialFunctionsCost) {
+  EXPECT_THAT(
+      text_report(sample::report()),
+      HasSubstr("fermi_c2050: an instruction on the special-function units takes 8.0 times the cycles of "
+                "32-bit arithmetic\n"));
+  Report report = sample::report();
+  report.machine.reset();
+  EXPECT_THAT(text_report(report), Not(HasSubstr("special-function units")));
+}
+
 TEST(TextReport, LimitsItsDetails) {
   const std::string text = text_report(sample::report(), {.kernels = 1, .causes = 1, .lines = 1});
   EXPECT_THAT(text, Not(HasSubstr("sort: ")));
