@@ -48,7 +48,7 @@ struct Totals {
   // Lane slots (a lane of an issued warp instruction) without a lane: warp_width * warp_instructions -
   // thread_instructions.
   std::uint64_t lane_slots_idle(std::uint32_t warp_width) const;
-  void add(const Totals& other);                           // element by element, of the same warp width
+  void add(const Totals& other);  // element by element, of the same warp width
   bool operator==(const Totals&) const = default;
 };
 
