@@ -33,6 +33,7 @@ class NativeExecutable final : public Executable {
     kernel_.where = where;
     kernel_.mode = mode;
     kernel_.graph = ptx::build_graph(module, kernel, blocks, layout);
+    kernel_.graph.kernel = readable_kernel_name(kernel.name);
     kernel_.is_opencl = module.is_opencl;
     note_signature(kernel, layout);
     note_lines(kernel, blocks);

@@ -59,6 +59,7 @@ TEST_F(CudaFrontend, ALaunchOfACuFileEndsInLinesAndBranchesOfTheSource) {
   }
   const LaunchProfile& profile = result.profile;
   EXPECT_THAT(profile.compile_command, HasSubstr("-lineinfo -DOFFSET=1000 -arch=sm_80"));
+  EXPECT_EQ(profile.counters.kernel, "scaled<int>");
   ASSERT_FALSE(profile.counters.lines.empty());
   EXPECT_EQ(profile.counters.lines.back().file, (folder_.path() / "k.cu").string());
   ASSERT_EQ(profile.counters.branches.size(), 1u);
