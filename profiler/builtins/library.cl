@@ -6,6 +6,7 @@
 #include "profiler/builtins/error_function.cl"
 #include "profiler/builtins/exponential.cl"
 #include "profiler/builtins/gamma.cl"
+#include "profiler/builtins/half_memory.cl"
 #include "profiler/builtins/integer.cl"
 #include "profiler/builtins/logarithm.cl"
 #include "profiler/builtins/parts.cl"

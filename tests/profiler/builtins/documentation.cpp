@@ -65,8 +65,7 @@ std::string page() {
       "Where OpenCL\n"
       "gives no limit the one used is marked \"ours\" or explained beside the table. Vector forms give the "
       "bits of the\n"
-      "scalar ones. Integer, relational and conversion functions are compared bit by bit and have no rows "
-      "here.\n\n"
+      "scalar ones. All others are compared bit by bit and have no rows here.\n\n"
       "No function misses its limit. `.approx` instructions are modelled: evaluated in double and rounded "
       "once, well\n"
       "within the bounds that NVIDIA's PTX ISA publishes; a device's own last bits differ.\n",
