@@ -1,5 +1,5 @@
-// What simulating a force kernel costs: run natively, traced, traced with addresses, and merged. One thread,
-// so that the figures compare with one core of a CPU OpenCL device.
+// What simulating a force kernel costs: run natively, traced, traced with addresses, merged, and checked. One
+// thread, so that the figures compare with one core of a CPU OpenCL device.
 //
 //   POCL_MAX_PTHREAD_COUNT=1 bench_simulator --benchmark_filter=/131072 [--scene=FILE]
 //
@@ -16,11 +16,14 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 #include "core/error.hpp"
 #include "core/scene.hpp"
 #include "profiler/device_buffer.hpp"
+#include "profiler/element_type.hpp"
+#include "profiler/kernel_declaration.hpp"
 #include "profiler/opencl_frontend.hpp"
 #include "profiler/profile.hpp"
 #include "variants/backend.hpp"
@@ -85,8 +88,10 @@ class ForceKernel {
       arrays_[array] = DeviceBuffer(device.bytes[array]);
       std::copy(device.contents[array].begin(), device.contents[array].end(), arrays_[array].bytes().begin());
     }
-    for (const SourceUnit& unit : plan.units)
+    for (const SourceUnit& unit : plan.units) {
       ptx_.push_back(compile_opencl(unit.text, "unit.cl", unit.build_options).ptx);
+      declarations_.push_back(declaration_bitcode(unit.text, "unit.cl", unit.build_options));
+    }
     for (const PlanEntry& entry : plan.evaluate) {
       if (const auto* swap = std::get_if<ArraySwap>(&entry)) {
         std::swap(arrays_[swap->first], arrays_[swap->second]);
@@ -99,12 +104,14 @@ class ForceKernel {
         unit_ = launch.unit;
         return;
       }
-      run(executable(launch.unit, launch.kernel, TraceMode::none));
+      run(executable(launch.unit, launch.kernel, TraceMode::none, Checks::off));
     }
     throw std::logic_error("the plan lacks the measured kernel");
   }
 
-  const Executable& executable(TraceMode mode) { return executable(unit_, measured_kernel, mode); }
+  const Executable& executable(TraceMode mode, Checks checks) {
+    return executable(unit_, measured_kernel, mode, checks);
+  }
 
   void run(const Executable& executable) const {
     const auto runner = executable.runner(shape_, arguments_);
@@ -121,6 +128,7 @@ class ForceKernel {
 
  private:
   std::vector<KernelArgument> arguments_of(const KernelLaunch& launch) {
+    const auto declared = parameters_in_bitcode(declarations_[launch.unit], launch.kernel);
     std::vector<KernelArgument> arguments;
     for (const LaunchArgument& argument : launch.arguments) {
       if (const auto* array = std::get_if<DeviceArray>(&argument)) {
@@ -128,19 +136,21 @@ class ForceKernel {
       } else {
         arguments.push_back(KernelArgument::scalar(std::get<std::vector<std::byte>>(argument)));
       }
+      arguments.back().vector_bytes = vector_bytes_of_parameter(declared.at(arguments.size() - 1).type);
     }
     return arguments;
   }
 
-  const Executable& executable(std::size_t unit, const std::string& kernel, TraceMode mode) {
-    auto& compiled = executables_[{kernel, mode}];
-    if (!compiled) compiled = Executable::compile(ptx_[unit], kernel, mode, kernel);
+  const Executable& executable(std::size_t unit, const std::string& kernel, TraceMode mode, Checks checks) {
+    auto& compiled = executables_[{kernel, mode, checks}];
+    if (!compiled) compiled = Executable::compile(ptx_[unit], kernel, mode, kernel, checks);
     return *compiled;
   }
 
   PerArray<DeviceBuffer> arrays_;
-  std::vector<std::string> ptx_;  // of the plan's units
-  std::map<std::pair<std::string, TraceMode>, std::unique_ptr<Executable>> executables_;
+  std::vector<std::string> ptx_;           // of the plan's units
+  std::vector<std::string> declarations_;  // of the same, as bitcode
+  std::map<std::tuple<std::string, TraceMode, Checks>, std::unique_ptr<Executable>> executables_;
   std::size_t unit_ = 0;
   LaunchShape shape_;
   std::vector<KernelArgument> arguments_;
@@ -155,14 +165,14 @@ ForceKernel& force_kernel(std::int64_t n_particles) {
 
 void run_kernel(benchmark::State& state, TraceMode mode) {
   ForceKernel& kernel = force_kernel(state.range(0));
-  const Executable& executable = kernel.executable(mode);
+  const Executable& executable = kernel.executable(mode, Checks::off);
   for (auto _ : state) kernel.run(executable);
   state.SetItemsProcessed(state.iterations() * state.range(0));
 }
 
-void run_and_merge(benchmark::State& state, TraceMode mode) {
+void run_and_merge(benchmark::State& state, TraceMode mode, Checks checks) {
   ForceKernel& kernel = force_kernel(state.range(0));
-  const Executable& executable = kernel.executable(mode);
+  const Executable& executable = kernel.executable(mode, checks);
   LaunchCounters counters;
   for (auto _ : state) counters = kernel.profile(executable);
   state.SetItemsProcessed(state.iterations() * state.range(0));
@@ -219,8 +229,11 @@ BENCHMARK(run_on_opencl)->Apply(sizes)->UseManualTime();
 BENCHMARK_CAPTURE(run_kernel, native, TraceMode::none)->Apply(sizes);
 BENCHMARK_CAPTURE(run_kernel, blocks, TraceMode::blocks)->Apply(sizes);
 BENCHMARK_CAPTURE(run_kernel, addresses, TraceMode::blocks_and_addresses)->Apply(sizes);
-BENCHMARK_CAPTURE(run_and_merge, blocks, TraceMode::blocks)->Apply(sizes);
-BENCHMARK_CAPTURE(run_and_merge, addresses, TraceMode::blocks_and_addresses)->Apply(sizes);
+BENCHMARK_CAPTURE(run_and_merge, blocks, TraceMode::blocks, Checks::off)->Apply(sizes);
+BENCHMARK_CAPTURE(run_and_merge, blocks_checked, TraceMode::blocks, Checks::on)->Apply(sizes);
+BENCHMARK_CAPTURE(run_and_merge, addresses, TraceMode::blocks_and_addresses, Checks::off)->Apply(sizes);
+BENCHMARK_CAPTURE(run_and_merge, addresses_checked, TraceMode::blocks_and_addresses, Checks::on)
+    ->Apply(sizes);
 BENCHMARK_CAPTURE(run_and_ask, blocks, TraceMode::blocks, "launched")->Apply(sizes);
 BENCHMARK_CAPTURE(run_and_ask, addresses, TraceMode::blocks_and_addresses, "launched")->Apply(sizes);
 BENCHMARK_CAPTURE(run_and_ask, sorted, TraceMode::blocks, "sorted")->Apply(sizes);

@@ -14,6 +14,7 @@
 #include "cli/run_loop.hpp"
 #include "core/error.hpp"
 #include "profiler/launch_file.hpp"
+#include "reports/diagnostic_summary.hpp"
 #include "reports/html/report_page.hpp"
 #include "reports/ptx_files.hpp"
 #include "reports/report_json.hpp"
@@ -77,7 +78,10 @@ int profile(const Options& options) {
   if (!options.output.json.empty()) write_output(options.output.json, reports::report_json(report));
   if (!options.html.empty()) write_output(options.html, reports::report_page(report));
   if (options.output.summary()) std::cout << reports::text_report(report);
-  return 0;
+  const std::vector<std::string> diagnostics = reports::diagnostic_lines(report);
+  if (!options.output.summary())
+    for (const std::string& line : diagnostics) std::cerr << line << '\n';
+  return diagnostics.empty() ? 0 : 1;
 }
 
 }  // namespace

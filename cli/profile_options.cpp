@@ -15,6 +15,8 @@ void SimulatorOptions::add_to(CLI::App& command) {
   add_option(command, "--what-if", what_if);
   add_option(command, "--trace-memory", trace_memory);
   add_option(command, "--machine", machine);
+  add_flag(command, "--unchecked", unchecked);
+  add_option(command, "--max-instructions", max_instructions);
 }
 
 std::optional<Machine> SimulatorOptions::load_machine() const {
@@ -35,6 +37,9 @@ profiler::ProfileOptions SimulatorOptions::profile_options(const DeviceOptions& 
   constexpr std::uint64_t largest = std::uint64_t{1} << 40;  // MiB: as good as no limit
   options.trace_memory = std::min(trace_memory, largest) << 20;
   options.threads = device.threads;
+  options.checks = unchecked ? profiler::Checks::off : profiler::Checks::on;
+  if (max_instructions == 0) throw_input_error("--max-instructions", "0", "a number above 0");
+  options.max_instructions = max_instructions;
   options.progress = [&progress](double fraction) { progress.update("simulating", fraction); };
   return options;
 }

@@ -20,6 +20,8 @@ struct SimulatorOptions {
   std::vector<std::string> what_if;
   std::uint64_t trace_memory = 1024;  // MiB
   std::string machine;                // a file or a name; empty: none
+  bool unchecked = false;
+  std::uint64_t max_instructions = profiler::RunLimits{}.max_instructions;
 
   void add_to(CLI::App& command);
   // None when the call names none. Throws InputError for a file that is no machine.

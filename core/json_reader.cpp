@@ -116,6 +116,11 @@ std::vector<JsonReader> JsonReader::elements(std::size_t n, std::string_view exp
   return elements();
 }
 
+bool JsonReader::boolean() const {
+  if (!value_->is_boolean()) fail(quoted(), "true or false");
+  return value_->get<bool>();
+}
+
 std::string JsonReader::string() const {
   if (!value_->is_string()) fail(quoted(), "a string");
   return value_->get<std::string>();

@@ -40,6 +40,7 @@ class JsonReader {
   std::vector<JsonReader> elements(std::size_t n, std::string_view expected) const;
 
   std::string string() const;
+  bool boolean() const;
   double number() const;  // finite
   double number_above(double bound) const;
   double number_at_least(double bound) const;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "profiler/diagnostic.hpp"
 #include "profiler/kernel_graph.hpp"
 #include "profiler/launch.hpp"
 
@@ -113,6 +114,8 @@ struct LaunchCounters {
   std::vector<BranchTotals> branches;       // by lane_slots_lost, largest first
   std::uint64_t lane_slots_never_used = 0;  // warps that are not full from the start
   std::vector<WhatIfTotals> what_if;        // in the order of the questions
+  std::vector<Diagnostic> diagnostics;      // what is wrong with the kernel, by its PTX
+  bool given_up = false;                    // too many work-items had to be stopped: not all work-groups ran
 };
 
 }  // namespace warpgrain::profiler

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstring>
@@ -98,6 +99,22 @@ std::optional<ElementType> element_type_of_parameter(std::string_view declared) 
   const std::string_view base = declared.substr(0, declared.find_first_of(" *"));
   if (base == "void" && declared.ends_with('*')) return ElementType::u8;
   return element_type_of(base);
+}
+
+std::uint32_t vector_bytes_of_parameter(std::string_view declared) {
+  for (const std::string_view qualifier : {"const ", "volatile ", "restrict "})
+    if (declared.starts_with(qualifier)) return vector_bytes_of_parameter(declared.substr(qualifier.size()));
+  const auto type = element_type_of_parameter(declared);
+  if (!type || !declared.ends_with('*')) return 0;
+  // "float4*", or as clang resolves the name.
+  constexpr std::string_view attribute = "ext_vector_type(";
+  std::size_t digits = declared.find(attribute);
+  digits =
+      digits == std::string_view::npos ? declared.find_first_of("0123456789") : digits + attribute.size();
+  if (digits == std::string_view::npos) return 0;
+  std::uint32_t width = 0;
+  std::from_chars(declared.data() + digits, declared.data() + declared.size(), width);
+  return static_cast<std::uint32_t>(element_size(*type)) * std::bit_ceil(width);
 }
 
 bool read_element(ElementType type, std::string_view text, bool hex, std::byte* to) {

@@ -25,6 +25,10 @@ std::optional<ElementType> element_type_of(std::string_view name);
 // nullopt for structures and the like.
 std::optional<ElementType> element_type_of_parameter(std::string_view declared);
 
+// Bytes of an element of a parameter that points to vectors, as "float3*" and "float
+// __attribute__((ext_vector_type(3)))*" do (16); 0 for others.
+std::uint32_t vector_bytes_of_parameter(std::string_view declared);
+
 // Writes the value that `text` spells to `to`, [element_size]. Whole numbers are decimal, or hexadecimal when
 // `hex`, with or without 0x; a negative number for an unsigned type wraps around. False when the text is no
 // finite number of the type.

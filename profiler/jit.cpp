@@ -97,6 +97,10 @@ void* Jit::compile(llvm::orc::ThreadSafeModule module, std::string_view symbol) 
     optimise(m);
   });
   check(state_->jit->addIRModule(std::move(module)));
+  return find(symbol);
+}
+
+void* Jit::find(std::string_view symbol) {
   return value_or_fail(state_->jit->lookup(llvm::StringRef(symbol.data(), symbol.size()))).toPtr<void*>();
 }
 

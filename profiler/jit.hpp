@@ -20,6 +20,8 @@ class Jit {
   // Turns memory into registers, compiles, and returns the address of `symbol`. The control flow stays as it
   // is: every pass that would change it is left out.
   void* compile(llvm::orc::ThreadSafeModule module, std::string_view symbol);
+  // The address of another symbol of what was compiled.
+  void* find(std::string_view symbol);
 
  private:
   struct State;

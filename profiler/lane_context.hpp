@@ -12,11 +12,23 @@ namespace warpgrain::profiler {
 
 enum class LaneStatus : std::uint32_t {
   done,
-  trace_exhausted,  // the lane was stopped at a loop: its trace is full
-  endless_loop,     // the lane entered a loop that no branch leaves
-  trapped,          // it ran a `trap`
-  no_function       // it called through a pointer to none of the functions that it may reach
+  trace_exhausted,   // the lane was stopped at a loop: its trace is full
+  budget_exhausted,  // the same: it has run as many instructions as it may
+  endless_loop,      // the lane entered a loop that no branch leaves
+  trapped,           // it ran a `trap`
+  no_function        // it called through a pointer to none of the functions that it may reach
 };
+
+// Where an access may go without a closer look: to `begin` plus fewer than `count` times the access's size,
+// and a multiple of that.
+struct SiteBounds {
+  std::uint64_t begin = 0, count = 0;
+};
+
+struct LaneContext;
+// Looks closer at an access of a site: notes what is wrong with it. Where the access may go: to `address`, or
+// to memory that nobody looks at.
+using AccessHandler = std::byte* (*)(LaneContext*, std::uint32_t site, std::uint64_t address);
 
 struct LaneContext {
   BlockIndex* trace = nullptr;              // where the next block goes
@@ -25,6 +37,14 @@ struct LaneContext {
   const std::uint64_t* addresses_limit = nullptr;
   const std::byte* parameters = nullptr;  // as the kernel's signature lays them out
   std::byte* shared = nullptr;            // the work-group's, in the lowest 4 GiB
+  std::byte* local = nullptr;             // the lane's own
+  std::int64_t budget = 0;                // instructions that it may run
+  const SiteBounds* bounds = nullptr;     // [sites]; null in unchecked code
+  AccessHandler look_closer = nullptr;
+  // Bytes that may be read from an address on; null in unchecked code.
+  std::uint64_t (*readable)(const LaneContext*, std::uint64_t address) = nullptr;
+  void* checker = nullptr;                // for look_closer and readable
+  alignas(16) std::byte stored[32] = {};  // what a store is about to write, for look_closer
   // Waits, at `line` of the PTX, for the answer to `rendezvous`.
   void (*wait)(LaneContext*, std::uint32_t line) = nullptr;
   std::string* printed = nullptr;  // what printf appends to

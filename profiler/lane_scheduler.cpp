@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "core/error.hpp"
 #include "profiler/reconvergence.hpp"
@@ -29,9 +30,9 @@ LaneScheduler::LaneScheduler(const TranslatedKernel& kernel, std::size_t lanes, 
   if (kernel.graph.has_warp_level) rank_ = find_reconvergence(kernel.graph).rank;
 }
 
-const LaneContext* LaneScheduler::run(std::span<LaneContext> lanes, const std::string& group) {
+void LaneScheduler::run(std::span<LaneContext> lanes, LaneEvents& events) {
   lanes_ = lanes;
-  group_ = &group;
+  events_ = &events;
   n_running_ = lanes.size();
   barriers_.reset();
   for (std::size_t i = 0; i < lanes.size(); ++i) fibers_.start(i, kernel_.lane, &lanes[i]);
@@ -41,24 +42,26 @@ const LaneContext* LaneScheduler::run(std::span<LaneContext> lanes, const std::s
     warps_[w] = {exist, exist, 0, 0};
   }
   for (;;) {
-    for (std::size_t w = 0; w < warps_.size(); ++w)
-      if (const LaneContext* stopped = run_warp(w)) return stopped;
-    if (n_running_ == 0) return nullptr;
-    if (!release_barriers()) refuse_waiting();
+    for (std::size_t w = 0; w < warps_.size(); ++w) run_warp(w);
+    if (n_running_ == 0 || events.given_up()) return;
+    if (release_barriers()) continue;
+    tell_stuck();
+    wake_all();
   }
 }
 
 // Until every lane of the warp has ended or waits for what others of the warp cannot give.
-const LaneContext* LaneScheduler::run_warp(std::size_t w) {
+void LaneScheduler::run_warp(std::size_t w) {
   WarpState& warp = warps_[w];
   do {
     while (warp.ready != 0) {
+      if (events_->given_up()) return;
       const std::uint32_t index = take_lowest(warp.ready);
       const LaneContext& context = lane(w, index);
       if (!fibers_.resume(w * lanes_of_warp + index)) {
         warp.alive &= ~bit(index);
         --n_running_;
-        if (context.status != LaneStatus::done) return &context;
+        events_->lane_ended(w * lanes_of_warp + index);
       } else if (is_of_warp(context.rendezvous.meeting)) {
         check_member(context, index);
         warp.meeting |= bit(index);
@@ -67,7 +70,6 @@ const LaneContext* LaneScheduler::run_warp(std::size_t w) {
       }
     }
   } while (warp.meeting != 0 && settle_warp(w));
-  return nullptr;
 }
 
 void LaneScheduler::check_member(const LaneContext& context, std::uint32_t index) const {
@@ -83,6 +85,9 @@ void LaneScheduler::note_barrier(std::size_t w, std::uint32_t index) {
   if (!fault.empty()) refuse(context, fault, "what PTX allows");
   const bool waits = context.rendezvous.meeting != Meeting::barrier_arrive;
   (waits ? warps_[w].at_barrier : warps_[w].ready) |= bit(index);
+  if (waits) return;
+  const std::size_t arrived = w * lanes_of_warp + index;
+  events_->lanes_met(std::span(&arrived, 1), false);
 }
 
 bool LaneScheduler::settle_warp(std::size_t w) {
@@ -99,13 +104,16 @@ bool LaneScheduler::settle_warp(std::size_t w) {
   }
   if (chosen == 0) return false;
   WarpRendezvous rendezvous{};
+  met_.clear();
   for (std::uint32_t left = chosen; left != 0;) {
     const std::uint32_t index = take_lowest(left);
     rendezvous[index] = &lane(w, index).rendezvous;
+    met_.push_back(w * lanes_of_warp + index);
   }
   exchange_values(rendezvous, chosen);
   warp.meeting &= ~chosen;
   warp.ready |= chosen;
+  events_->lanes_met(met_, true);
   return true;
 }
 
@@ -134,7 +142,7 @@ bool LaneScheduler::release_barriers() {
   bool any = false;
   for (std::uint32_t barrier = 0; barrier < GroupBarriers::count; ++barrier)
     if (barriers_.is_complete(barrier, warps_)) {
-      check_same_place(barrier);
+      if (!is_at_one_place(barrier)) tell_stuck();
       reduce(barrier);
       release(barrier);
       any = true;
@@ -152,11 +160,14 @@ void LaneScheduler::for_each_at(std::uint32_t barrier, Function function) const 
 }
 
 void LaneScheduler::release(std::uint32_t barrier) {
+  met_.clear();
   for_each_at(barrier, [&](std::size_t w, std::uint32_t index) {
     warps_[w].at_barrier &= ~bit(index);
     warps_[w].ready |= bit(index);
+    met_.push_back(w * lanes_of_warp + index);
   });
   barriers_.clear(barrier);
+  events_->lanes_met(met_, false);
 }
 
 void LaneScheduler::reduce(std::uint32_t barrier) {
@@ -176,41 +187,56 @@ void LaneScheduler::reduce(std::uint32_t barrier) {
 }
 
 // OpenCL wants every work-item of the group at one barrier, PTX every lane of a warp where it says aligned.
-void LaneScheduler::check_same_place(std::uint32_t barrier) const {
+bool LaneScheduler::is_at_one_place(std::uint32_t barrier) const {
+  bool at_one = true;
   std::size_t waiting = 0, warp_before = warps_.size();
   std::uint32_t line = 0;
   for_each_at(barrier, [&](std::size_t w, std::uint32_t index) {
     const LaneContext& context = lane(w, index);
     if (waiting++ == 0 || (w != warp_before && !kernel_.is_opencl)) line = context.line;
     warp_before = w;
-    if (context.line != line && (kernel_.is_opencl || context.rendezvous.aligned != 0)) refuse_waiting();
+    if (context.line != line && (kernel_.is_opencl || context.rendezvous.aligned != 0)) at_one = false;
   });
-  if (kernel_.is_opencl && waiting < lanes_.size()) refuse_waiting();
+  return at_one && (!kernel_.is_opencl || waiting == lanes_.size());
+}
+
+void LaneScheduler::wake_all() {
+  for (std::uint32_t barrier = 0; barrier < GroupBarriers::count; ++barrier) release(barrier);
+  for (std::size_t w = 0; w < warps_.size(); ++w) {
+    for (std::uint32_t left = warps_[w].meeting; left != 0;) lane(w, take_lowest(left)).rendezvous.result = 0;
+    warps_[w].ready |= std::exchange(warps_[w].meeting, 0);
+  }
 }
 
 void LaneScheduler::refuse(const LaneContext& context, std::string_view what,
                            std::string_view expected) const {
-  throw_input_error(fmt::format("{}, {}, work-item {}", kernel_.place(), *group_, context.linear_tid),
-                    fmt::format("{} at {}", what, kernel_.source_of(context.line)), expected);
+  throw_input_error(fmt::format("{}, work-group ({}, {}, {}), work-item {}", kernel_.place(),
+                                context.ctaid[0], context.ctaid[1], context.ctaid[2], context.linear_tid),
+                    fmt::format("{} at {}", what, place_text(kernel_.source_of(context.line))), expected);
 }
 
-void LaneScheduler::refuse_waiting() const {
+void LaneScheduler::tell_stuck() const {
   std::map<std::uint32_t, std::size_t> at_barrier, meeting;  // PTX line -> work-items
+  std::size_t first = lanes_.size();
+  const auto count = [&](std::size_t w, std::uint32_t lanes, auto& waiting) {
+    while (lanes != 0) {
+      const std::uint32_t index = take_lowest(lanes);
+      ++waiting[lane(w, index).line];
+      first = std::min(first, w * lanes_of_warp + index);
+    }
+  };
   for (std::size_t w = 0; w < warps_.size(); ++w) {
-    for (std::uint32_t left = warps_[w].at_barrier; left != 0;) ++at_barrier[lane(w, take_lowest(left)).line];
-    for (std::uint32_t left = warps_[w].meeting; left != 0;) ++meeting[lane(w, take_lowest(left)).line];
+    count(w, warps_[w].at_barrier, at_barrier);
+    count(w, warps_[w].meeting, meeting);
   }
-  const bool only_barriers = meeting.empty();
-  std::string what =
-      fmt::format("{} in {}:", only_barriers ? "barrier divergence" : "deadlock between lanes", *group_);
-  for (const auto& [line, count] : at_barrier)
-    what += fmt::format(" {} work-items wait at {}{},", count, only_barriers ? "" : "the barrier at ",
-                        kernel_.source_of(line));
-  for (const auto& [line, count] : meeting)
-    what += fmt::format(" {} wait for lanes of their warp at {},", count, kernel_.source_of(line));
-  throw_input_error(kernel_.place(), fmt::format("{} {} have ended", what, lanes_.size() - n_running_),
-                    only_barriers ? "every work-item of the group at the same barrier"
-                                  : "every lane of a member mask at the same operation");
+  const auto source = [&](std::uint32_t line) { return place_text(kernel_.source_of(line)); };
+  std::string who = meeting.empty() ? "" : "deadlock between lanes: ";
+  for (const auto& [line, n] : at_barrier)
+    who += fmt::format("{} work-items wait at {}{}, ", n, meeting.empty() ? "" : "the barrier at ",
+                       source(line));
+  for (const auto& [line, n] : meeting)
+    who += fmt::format("{} wait for lanes of their warp at {}, ", n, source(line));
+  events_->lanes_stuck(first, fmt::format("{}{} have ended", who, lanes_.size() - n_running_));
 }
 
 }  // namespace warpgrain::profiler

@@ -21,18 +21,32 @@
 
 namespace warpgrain::profiler {
 
+// What the scheduler tells of lanes, by their number in the work-group.
+class LaneEvents {
+ public:
+  virtual void lane_ended(std::size_t lane) = 0;
+  virtual bool given_up() const = 0;  // the lanes that are left need not run
+  // They have waited for each other; of_warp: for an operation of their warp.
+  virtual void lanes_met(std::span<const std::size_t> lanes, bool of_warp) = 0;
+  // Lanes wait that nothing can wake, `lane` among them: barrier divergence, a warp whose lanes wait for each
+  // other at different places. They go on as if what they wait for had happened.
+  virtual void lanes_stuck(std::size_t lane, const std::string& who) = 0;
+
+ protected:
+  ~LaneEvents() = default;
+};
+
 class LaneScheduler {
  public:
   // `stack_bytes` for each lane's own frames.
   LaneScheduler(const TranslatedKernel& kernel, std::size_t lanes, std::size_t stack_bytes);
 
-  // Runs all lanes of a work-group to their ends; null, or the first lane that its status stopped. Throws
-  // InputError, naming `group`, when lanes wait that nothing can wake: barrier divergence, a warp whose lanes
-  // wait for each other at different places.
-  const LaneContext* run(std::span<LaneContext> lanes, const std::string& group);
+  // Runs all lanes of a work-group to their ends. Throws InputError for what PTX does not allow a lane to ask
+  // for.
+  void run(std::span<LaneContext> lanes, LaneEvents& events);
 
  private:
-  const LaneContext* run_warp(std::size_t warp);
+  void run_warp(std::size_t warp);
   void check_member(const LaneContext& context, std::uint32_t lane) const;
   void note_barrier(std::size_t warp, std::uint32_t lane);
   // Lets lanes of the warp meet that can; false when none can.
@@ -43,7 +57,7 @@ class LaneScheduler {
   bool release_barriers();
   void release(std::uint32_t barrier);
   void reduce(std::uint32_t barrier);
-  void check_same_place(std::uint32_t barrier) const;
+  bool is_at_one_place(std::uint32_t barrier) const;
 
   template <class Function>
   void for_each_at(std::uint32_t barrier, Function function) const;
@@ -52,7 +66,8 @@ class LaneScheduler {
   }
   std::uint64_t order_of(const LaneContext& lane) const;
   [[noreturn]] void refuse(const LaneContext& lane, std::string_view what, std::string_view expected) const;
-  [[noreturn]] void refuse_waiting() const;
+  void tell_stuck() const;
+  void wake_all();
 
   const TranslatedKernel& kernel_;
   std::vector<std::uint32_t> rank_;  // [n_blocks]; empty without operations of a warp
@@ -60,7 +75,8 @@ class LaneScheduler {
   GroupBarriers barriers_;
   std::vector<WarpState> warps_;
   std::span<LaneContext> lanes_;
-  const std::string* group_ = nullptr;
+  LaneEvents* events_ = nullptr;
+  std::vector<std::size_t> met_;
   std::size_t n_running_ = 0;  // lanes that have not ended
 };
 

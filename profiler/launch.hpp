@@ -30,6 +30,12 @@ struct KernelArgument {
   std::vector<std::byte> value;
   std::uint32_t local_bytes = 0;
 
+  // What checked code is told of a buffer.
+  std::string name;                // in diagnostics; empty: the parameter's
+  std::uint32_t vector_bytes = 0;  // of an element that is a vector; 0: it is none, or not known
+  bool read_only = false, write_only = false;
+  bool uninitialized = false;  // no byte has a value yet
+
   static KernelArgument buffer(std::span<std::byte> memory);
   static KernelArgument scalar(std::span<const std::byte> value);
   static KernelArgument local(std::uint32_t bytes);

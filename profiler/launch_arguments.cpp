@@ -33,11 +33,16 @@ class Binder {
         bound_.buffer = DeviceBuffer(given_.size);
         fill(bound_.buffer.bytes());
         bound_.argument = KernelArgument::buffer(bound_.buffer.bytes());
+        bound_.argument.vector_bytes = vector_bytes_of_parameter(declared_type_);
+        bound_.argument.read_only = given_.read_only;
+        bound_.argument.write_only = given_.write_only;
+        bound_.argument.uninitialized = given_.no_init;
         break;
       case KernelArgument::Kind::scalar:
         bind_scalar();
         break;
     }
+    bound_.argument.name = bound_.name;
     return std::move(bound_);
   }
 

@@ -62,7 +62,8 @@ LaunchFileResult profile_launch_file(const LaunchFile& file, const std::string& 
   const Language language = language_of(file);
   compile(language, build_options, profile);
   const TraceMode mode = options.addresses ? TraceMode::blocks_and_addresses : TraceMode::blocks;
-  const auto executable = Executable::compile(profile.ptx, file.kernel, mode, profile.source_name);
+  const auto executable =
+      Executable::compile(profile.ptx, file.kernel, mode, profile.source_name, options.checks);
   if (language == Language::opencl)
     declared = declared_parameters(profile.source, profile.source_name, build_options, file.kernel);
   profile.compile_seconds = seconds_since(compile_begin);

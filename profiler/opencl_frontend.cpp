@@ -154,9 +154,8 @@ CompiledPtx compile_opencl(std::string_view source, std::string_view source_name
   return compiled;
 }
 
-std::vector<ParameterDeclaration> declared_parameters(std::string_view source, std::string_view source_name,
-                                                      std::string_view build_options,
-                                                      std::string_view kernel) {
+std::string declaration_bitcode(std::string_view source, std::string_view source_name,
+                                std::string_view build_options) {
   std::vector<std::string> options{"-x",
                                    "cl",
                                    "-cl-std=CL1.2",
@@ -169,7 +168,13 @@ std::vector<ParameterDeclaration> declared_parameters(std::string_view source, s
                                    "-emit-llvm",
                                    "-c"};
   append_user_options(options, split_build_options(build_options), source_name);
-  return parameters_in_bitcode(run_clang(source, source_name, options, false), kernel);
+  return run_clang(source, source_name, options, false);
+}
+
+std::vector<ParameterDeclaration> declared_parameters(std::string_view source, std::string_view source_name,
+                                                      std::string_view build_options,
+                                                      std::string_view kernel) {
+  return parameters_in_bitcode(declaration_bitcode(source, source_name, build_options), kernel);
 }
 
 }  // namespace warpgrain::profiler

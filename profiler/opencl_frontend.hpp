@@ -25,6 +25,10 @@ struct ParameterDeclaration {
   std::string type;  // without address space, type names resolved: "float4*", "int"
 };
 
+// The same text as LLVM bitcode that keeps the parameters' names and types, for parameters_in_bitcode.
+std::string declaration_bitcode(std::string_view source, std::string_view source_name,
+                                std::string_view build_options);
+
 // The parameters of a kernel of the same text; none when there is no such kernel. PTX keeps neither names nor
 // types.
 std::vector<ParameterDeclaration> declared_parameters(std::string_view source, std::string_view source_name,

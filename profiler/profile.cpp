@@ -17,6 +17,7 @@
 #include "profiler/observers/totals.hpp"
 #include "profiler/observers/warp_counters.hpp"
 #include "profiler/ordered_output.hpp"
+#include "profiler/safety/launch_monitor.hpp"
 #include "profiler/source_lines.hpp"
 #include "profiler/what_if_run.hpp"
 
@@ -62,24 +63,26 @@ class Launch {
   Launch(const Executable& executable, const LaunchShape& shape, std::span<const KernelArgument> arguments,
          const ProfileOptions& options, std::uint64_t chunk_unit)
       : executable_(executable),
-        shape_(shape),
-        arguments_(arguments),
         options_(options),
         groups_(shape.group_count()),
-        groups_a_chunk_((smallest_chunk + chunk_unit - 1) / chunk_unit * chunk_unit) {
+        groups_a_chunk_((smallest_chunk + chunk_unit - 1) / chunk_unit * chunk_unit),
+        monitor_(executable.monitor(shape, arguments,
+                                    {.max_instructions = options.max_instructions,
+                                     .concurrent = options.observer == nullptr && n_threads(options) > 1})) {
     n_groups_ = groups_[0] * groups_[1] * groups_[2];
     if (options.printed != nullptr) printed_.emplace(*options.printed);
   }
 
   std::uint64_t n_chunks() const { return (n_groups_ + groups_a_chunk_ - 1) / groups_a_chunk_; }
+  const LaunchMonitor& monitor() const { return *monitor_; }
 
   // Until no work-groups are left. One of the threads tells the progress.
   void run_groups(GroupVisitor& visitor, bool tells_progress) {
     try {
-      const std::unique_ptr<WorkGroupRunner> runner = executable_.runner(shape_, arguments_);
+      const std::unique_ptr<WorkGroupRunner> runner = executable_.runner(*monitor_);
       for (;;) {
         const std::uint64_t begin = next_group_.fetch_add(groups_a_chunk_);
-        if (begin >= n_groups_) return;
+        if (begin >= n_groups_ || monitor_->given_up()) return;
         const std::uint64_t end = std::min(begin + groups_a_chunk_, n_groups_);
         for (std::uint64_t group = begin; group < end; ++group) run_group(*runner, group, visitor);
         if (tells_progress && options_.progress)
@@ -115,12 +118,11 @@ class Launch {
   }
 
   const Executable& executable_;
-  const LaunchShape& shape_;
-  std::span<const KernelArgument> arguments_;
   const ProfileOptions& options_;
   std::array<std::uint64_t, 3> groups_;
   std::uint64_t n_groups_;
   std::uint64_t groups_a_chunk_;
+  std::unique_ptr<LaunchMonitor> monitor_;
   std::atomic<std::uint64_t> next_group_ = 0;
   std::optional<OrderedOutput> printed_;
   std::mutex error_mutex_;
@@ -195,6 +197,8 @@ LaunchCounters profile_launch(const Executable& executable, const LaunchShape& s
   result.branches = branch_totals(graph, counters, source_lines);
   result.lane_slots_never_used = counters.lane_slots_lost[counters.never_used()];
   if (what_if) result.what_if = what_if->answers();
+  result.diagnostics = launch.monitor().diagnostics();
+  result.given_up = launch.monitor().given_up();
   return result;
 }
 

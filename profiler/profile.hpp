@@ -22,6 +22,9 @@ struct ProfileOptions {
   std::uint32_t warp_width = 32;  // 4 to 64, a power of two
   bool addresses = true;          // record addresses: sectors and lines
   unsigned threads = 0;           // worker threads, 0 = all cores
+  // Whether those who compile the kernel for the profile make it check its accesses.
+  Checks checks = Checks::on;
+  std::uint64_t max_instructions = RunLimits{}.max_instructions;  // of a work-item
   // Called now and then from one thread.
   std::function<void(double fraction)> progress = {};
   // Takes what the kernel prints, in order of the work-groups; null: nobody reads it.
@@ -50,8 +53,9 @@ struct LaunchProfile {
 
 // Runs every work-group of the launch (the buffers end up as the kernel leaves them) and merges its lanes
 // warp by warp; traces are dropped as soon as they are counted. `source` serves the branch labels; it may be
-// empty. The counters do not depend on `threads`. Work-groups run one after another or side by side, so
-// kernels that need one group to wait for another are not carried.
+// empty. What is wrong with the kernel comes with the counters as diagnostics, of memory only where the
+// executable checks. The counters do not depend on `threads`. Work-groups run one after another or side by
+// side, so kernels that need one group to wait for another are not carried.
 LaunchCounters profile_launch(const Executable& executable, const LaunchShape& shape,
                               std::span<const KernelArgument> arguments, std::string_view source,
                               const ProfileOptions& options = {});

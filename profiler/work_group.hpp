@@ -9,41 +9,53 @@
 
 #include "profiler/lane_buffers.hpp"
 #include "profiler/lane_scheduler.hpp"
+#include "profiler/safety/access_checker.hpp"
+#include "profiler/safety/launch_monitor.hpp"
 #include "profiler/shared_memory.hpp"
 #include "profiler/translated_kernel.hpp"
 
 namespace warpgrain::profiler {
 
-class GroupRunner final : public WorkGroupRunner {
+class GroupRunner final : public WorkGroupRunner, private LaneEvents {
  public:
-  // A lane may record this many blocks and as many addresses. At a few blocks a pass of a loop that is
-  // millions of passes; what needs more is taken for endless.
+  // A lane may record this many blocks and as many addresses.
   static constexpr std::size_t max_recorded = std::size_t{1} << 24;
+  // The lanes of a work-group together may leave as many bytes of each.
+  static constexpr std::size_t max_trace_bytes = std::size_t{1} << 31;
 
-  // Shape and arguments have been checked.
-  GroupRunner(const TranslatedKernel& kernel, const LaunchShape& shape,
-              std::span<const KernelArgument> arguments);
+  explicit GroupRunner(LaunchMonitor& monitor);
 
   std::span<const LaneTrace> run(const std::array<std::uint64_t, 3>& group) override;
   std::string take_printed() override { return std::exchange(printed_, {}); }
 
  private:
-  void lay_out_parameters(std::span<const KernelArgument> arguments);
+  void lay_out_parameters(std::span<const std::size_t> shared_offsets);
   void place_lane(std::size_t lane);  // what is the same in every work-group
   void prepare_lane(std::size_t lane, const std::array<std::uint64_t, 3>& group);
-  [[noreturn]] void refuse_status(const LaneContext& lane, const std::array<std::uint64_t, 3>& group) const;
+  void limit_traces(std::size_t lane);
+  void run_lanes();
+  void run_in_turns();
+  void lane_ended(std::size_t lane) override;
+  bool given_up() const override { return monitor_.given_up(); }
+  void lanes_met(std::span<const std::size_t> lanes, bool of_warp) override;
+  void lanes_stuck(std::size_t lane, const std::string& who) override;
   void release_long_traces();
 
+  LaunchMonitor& monitor_;
   const TranslatedKernel& kernel_;
   LaunchShape shape_;
   std::vector<std::byte> parameters_;
   std::optional<SharedMemory> shared_;
   std::string printed_;
+  std::optional<AccessChecker> checker_;  // of a checked kernel
   std::vector<LaneContext> lanes_;
   std::vector<LaneTrace> traces_;
   std::optional<LaneBuffers> blocks_;
   std::optional<LaneBuffers> addresses_;
-  std::optional<LaneScheduler> scheduler_;  // where lanes wait for each other
+  std::optional<LaneBuffers> local_;                  // one lane's, or every lane's where they run in turns
+  std::optional<LaneScheduler> scheduler_;            // where lanes wait for each other
+  std::uint64_t first_item_ = 0;                      // number of the group's first work-item in the launch
+  std::size_t blocks_used_ = 0, addresses_used_ = 0;  // bytes that the group's lanes left
 };
 
 }  // namespace warpgrain::profiler

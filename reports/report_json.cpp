@@ -10,6 +10,7 @@
 
 #include "analysis/sfu_cost.hpp"
 #include "reports/counters_json.hpp"
+#include "reports/diagnostics_json.hpp"
 #include "reports/json_fields.hpp"
 #include "reports/json_text.hpp"
 
@@ -65,6 +66,8 @@ Json launch_json(const LaunchReport& launch, const std::optional<Machine>& machi
             {"lines", array_of(counters.lines, counters.warp_width)},
             {"blocks", array_of(counters.blocks)},
             {"what_if", array_of(counters.what_if)},
+            {"diagnostics", array_of(counters.diagnostics)},
+            {"given_up", counters.given_up},
             {"ptx", ptx},
             {"source", source}};
   if (machine) json["sfu"] = sfu_json(counters, *machine);
@@ -123,6 +126,11 @@ LaunchReport launch_from(const JsonReader& place, Texts& texts) {
   for (const JsonReader& answer : place.at("what_if").elements())
     counters.what_if.push_back(what_if_from(answer));
   launch.ptx = {place.at("ptx").at("hash").string(), optional_string(place.at("ptx"), "file").value_or("")};
+  // Reports of programs that did not check have neither key.
+  if (const auto diagnostics = place.maybe("diagnostics"))
+    for (const JsonReader& diagnostic : diagnostics->elements())
+      counters.diagnostics.push_back(diagnostic_from(diagnostic));
+  if (const auto given_up = place.maybe("given_up")) counters.given_up = given_up->boolean();
   launch.source = source_from(place.at("source"), texts);
   return launch;
 }

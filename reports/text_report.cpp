@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/sfu_cost.hpp"
+#include "reports/diagnostic_summary.hpp"
 #include "reports/number_text.hpp"
 #include "reports/summary.hpp"
 #include "reports/text_table.hpp"
@@ -160,6 +161,9 @@ std::string text_report(const Report& report, const TextReportOptions& options) 
     if (const std::string lines = line_list(kernel, options.lines); !lines.empty())
       text += fmt::format("\n{}: lines with the most warp instructions\n{}", kernel.counters.kernel, lines);
   }
+  const std::vector<std::string> diagnostics = diagnostic_lines(report);
+  if (!diagnostics.empty()) text += fmt::format("\nWhat is wrong with the kernels\n");
+  for (const std::string& line : diagnostics) text += "  " + line + "\n";
   return text;
 }
 

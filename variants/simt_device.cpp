@@ -14,6 +14,8 @@
 
 #include "core/parallel_ranges.hpp"
 #include "profiler/device_buffer.hpp"
+#include "profiler/element_type.hpp"
+#include "profiler/kernel_declaration.hpp"
 #include "profiler/opencl_frontend.hpp"
 
 namespace warpgrain {
@@ -30,12 +32,17 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
 
 class SimulatedDevice : public SimtDevice {
  public:
-  SimulatedDevice(profiler::TraceMode mode, unsigned threads)
-      : mode_(mode), threads_(threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency())) {}
+  SimulatedDevice(profiler::TraceMode mode, profiler::Checks checks, unsigned threads)
+      : mode_(mode),
+        checks_(checks),
+        threads_(threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency())) {}
 
   void build(const std::vector<SourceUnit>& units) override {
     for (const SourceUnit& unit : units) {
-      units_.push_back({unit.text, profiler::compile_opencl(unit.text, unit_name, unit.build_options), {}});
+      units_.push_back(
+          {unit.text, profiler::compile_opencl(unit.text, unit_name, unit.build_options), {}, {}});
+      if (checks_ == profiler::Checks::on)
+        units_.back().declarations = profiler::declaration_bitcode(unit.text, unit_name, unit.build_options);
     }
   }
 
@@ -57,11 +64,15 @@ class SimulatedDevice : public SimtDevice {
     shape.local_size[0] = static_cast<std::uint32_t>(launch.local_size);
     std::vector<KernelArgument> arguments;
     for (const LaunchArgument& argument : launch.arguments) {
+      const std::size_t index = arguments.size();
       if (const auto* array = std::get_if<DeviceArray>(&argument)) {
         arguments.push_back(KernelArgument::buffer(buffers_[*array].bytes()));
       } else {
         arguments.push_back(KernelArgument::scalar(std::get<std::vector<std::byte>>(argument)));
       }
+      if (index >= kernel.parameters.size()) continue;
+      arguments.back().name = kernel.parameters[index].name;
+      arguments.back().vector_bytes = profiler::vector_bytes_of_parameter(kernel.parameters[index].type);
     }
     const auto begin = std::chrono::steady_clock::now();
     if (profile_options_) {
@@ -88,12 +99,14 @@ class SimulatedDevice : public SimtDevice {
 
   struct CompiledKernel {
     std::unique_ptr<Executable> executable;
+    std::vector<profiler::ParameterDeclaration> parameters;  // of a checked kernel
     double compile_seconds = 0;
     std::size_t timing = 0;  // index into timings_
   };
   struct Unit {
     std::string text;
     profiler::CompiledPtx compiled;
+    std::string declarations;  // bitcode; with checks
     std::map<std::string, CompiledKernel> kernels;
   };
 
@@ -102,8 +115,12 @@ class SimulatedDevice : public SimtDevice {
     const auto it = unit.kernels.find(launch.kernel);
     if (it != unit.kernels.end()) return it->second;
     const auto begin = std::chrono::steady_clock::now();
-    CompiledKernel kernel{Executable::compile(unit.compiled.ptx, launch.kernel, mode_, unit_name), 0,
+    CompiledKernel kernel{Executable::compile(unit.compiled.ptx, launch.kernel, mode_, unit_name, checks_),
+                          {},
+                          0,
                           timings_.size()};
+    if (!unit.declarations.empty())
+      kernel.parameters = profiler::parameters_in_bitcode(unit.declarations, launch.kernel);
     kernel.compile_seconds = seconds_since(begin);
     timings_.push_back({launch.kernel, 0, 0});
     return unit.kernels.emplace(launch.kernel, std::move(kernel)).first->second;
@@ -138,6 +155,7 @@ class SimulatedDevice : public SimtDevice {
   }
 
   profiler::TraceMode mode_;
+  profiler::Checks checks_;
   unsigned threads_;
   std::vector<Unit> units_;
   PerArray<profiler::DeviceBuffer> buffers_;
@@ -150,8 +168,9 @@ class SimulatedDevice : public SimtDevice {
 
 std::string simulator_lacks() { return {}; }
 
-std::unique_ptr<SimtDevice> make_simt_device(profiler::TraceMode mode, unsigned threads) {
-  return std::make_unique<SimulatedDevice>(mode, threads);
+std::unique_ptr<SimtDevice> make_simt_device(profiler::TraceMode mode, unsigned threads,
+                                             profiler::Checks checks) {
+  return std::make_unique<SimulatedDevice>(mode, checks, threads);
 }
 
 }  // namespace warpgrain
@@ -162,7 +181,7 @@ namespace warpgrain {
 
 std::string simulator_lacks() { return "built without the simulator (WARPGRAIN_SIMULATOR=OFF)"; }
 
-std::unique_ptr<SimtDevice> make_simt_device(profiler::TraceMode, unsigned) {
+std::unique_ptr<SimtDevice> make_simt_device(profiler::TraceMode, unsigned, profiler::Checks) {
   throw_input_error("simt", simulator_lacks());
 }
 

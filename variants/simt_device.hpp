@@ -22,7 +22,9 @@ class SimtDevice : public ComputeDevice {
 // Empty when the simulator is part of this build; else one line that says it is not.
 std::string simulator_lacks();
 
-// `threads`: worker threads, 0 = all cores. Throws InputError when simulator_lacks().
-std::unique_ptr<SimtDevice> make_simt_device(profiler::TraceMode mode, unsigned threads);
+// `threads`: worker threads, 0 = all cores. With checks, profiles tell what is wrong with the kernels. Throws
+// InputError when simulator_lacks().
+std::unique_ptr<SimtDevice> make_simt_device(profiler::TraceMode mode, unsigned threads,
+                                             profiler::Checks checks = profiler::Checks::off);
 
 }  // namespace warpgrain

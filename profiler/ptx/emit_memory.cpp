@@ -12,16 +12,49 @@ struct Access {
   ScalarType type;
   unsigned width = 1;  // elements
   bool is_volatile = false;
+  bool is_ordered = false;
+  AccessSpace space = AccessSpace::generic;
 };
+
+AccessSpace take_space(Emitter& e) {
+  switch (e.modifiers().take_space().value_or(StateSpace::generic)) {
+    case StateSpace::generic:
+      break;
+    case StateSpace::global:
+      return AccessSpace::global;
+    case StateSpace::shared:
+      return AccessSpace::shared;
+    case StateSpace::constant:
+      return AccessSpace::constant;
+    case StateSpace::local:
+      return AccessSpace::local;
+    case StateSpace::parameter:
+      return AccessSpace::parameter;
+  }
+  return AccessSpace::generic;
+}
+
+// Line and object are filled in by the check.
+AccessSite site_of(const Access& access, AccessKind kind) {
+  AccessSite site;
+  site.kind = kind;
+  site.space = access.space;
+  site.element_bytes = static_cast<std::uint8_t>(access.type.bytes());
+  site.bytes = static_cast<std::uint8_t>(access.width * access.type.bytes());
+  site.ordered = access.is_ordered;
+  return site;
+}
 
 // Cache operators change no value. Ordered accesses are kept from being moved or merged; the host orders
 // them.
 Access take_access(Emitter& e) {
   ModifierReader& modifiers = e.modifiers();
   Access access;
-  access.is_volatile = !modifiers.take_one_of({"volatile", "relaxed", "acquire", "release", "weak"}).empty();
+  const std::string_view order = modifiers.take_one_of({"volatile", "relaxed", "acquire", "release", "weak"});
+  access.is_volatile = !order.empty();
+  access.is_ordered = !order.empty() && order != "volatile" && order != "weak";
   modifiers.take_one_of({"cta", "gpu", "sys"});
-  modifiers.take_space();
+  access.space = take_space(e);
   modifiers.take_one_of({"ca", "cg", "cs", "lu", "cv", "wb", "wt"});
   modifiers.take("nc");
   modifiers.drop_prefixed("L1::");
@@ -53,6 +86,7 @@ void emit_load(Emitter& e) {
   const Access access = take_access(e);
   Value* pointer = e.pointer(e.operand(1));
   trace_if_listed(e, pointer);
+  pointer = e.checked(pointer, e.operand(1), site_of(access, AccessKind::load));
   // All are read before any is written: an element may be the address register.
   Value* values[4] = {};
   for (unsigned i = 0; i < access.width; ++i)
@@ -66,10 +100,13 @@ void emit_store(Emitter& e) {
   const Access access = take_access(e);
   Value* pointer = e.pointer(e.operand(0));
   trace_if_listed(e, pointer);
+  std::vector<Value*> values;
   for (unsigned i = 0; i < access.width; ++i)
-    e.ir.CreateAlignedStore(e.read(element(e, e.operand(1), access, i), access.type),
-                            element_pointer(e, pointer, access, i), llvm::Align(access.type.bytes()),
-                            access.is_volatile);
+    values.push_back(e.read(element(e, e.operand(1), access, i), access.type));
+  pointer = e.checked(pointer, e.operand(0), site_of(access, AccessKind::store), values);
+  for (unsigned i = 0; i < access.width; ++i)
+    e.ir.CreateAlignedStore(values[i], element_pointer(e, pointer, access, i),
+                            llvm::Align(access.type.bytes()), access.is_volatile);
 }
 
 Value* atomic_operation(Emitter& e, std::string_view operation, Value* pointer, ScalarType type,
@@ -111,7 +148,9 @@ void emit_atomic(Emitter& e, bool returns_old) {
   ModifierReader& modifiers = e.modifiers();
   modifiers.take_one_of({"relaxed", "acquire", "release", "acq_rel"});
   modifiers.take_one_of({"cta", "gpu", "sys"});
-  modifiers.take_space();
+  Access access;
+  access.space = take_space(e);
+  access.is_ordered = true;
   const std::string_view operation =
       modifiers.take_one_of({"add", "min", "max", "and", "or", "xor", "exch", "cas", "inc", "dec"});
   modifiers.drop_prefixed("L2::");
@@ -119,6 +158,8 @@ void emit_atomic(Emitter& e, bool returns_old) {
   const std::size_t address = returns_old ? 1 : 0;
   Value* pointer = e.pointer(e.operand(address));
   trace_if_listed(e, pointer);
+  access.type = type;
+  pointer = e.checked(pointer, e.operand(address), site_of(access, AccessKind::atomic));
   Value* old = atomic_operation(e, operation, pointer, type, address + 1);
   if (returns_old) e.write(old, type);
 }

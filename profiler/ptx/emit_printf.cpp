@@ -9,6 +9,9 @@ namespace {
 
 using llvm::Value;
 
+// Instructions of a lane's budget, about as long as formatting takes.
+constexpr std::int64_t cost_of_printing = 1000;
+
 // The .param variable that a call names.
 llvm::AllocaInst* call_variable(Emitter& e, const Operand& operand) {
   Operand address = operand;
@@ -48,6 +51,7 @@ bool is_printf(std::string_view callee) { return callee == "printf" || callee ==
 
 void emit_printf(Emitter& e) {
   e.modifiers().take("uni");
+  e.spend(cost_of_printing);
   const std::vector<Operand>& operands = e.statement().operands;
   const bool has_result = operands.front().kind == Operand::Kind::list;
   const Operand& callee = e.operand(has_result ? 1 : 0);

@@ -11,13 +11,14 @@
 namespace warpgrain::profiler::ptx {
 
 Emitter::Emitter(llvm::IRBuilder<>& builder, llvm::Value* lane_context, const Module& module,
-                 const Function& kernel, const MemoryLayout& layout, TraceEmitter& trace,
-                 std::string_view where)
+                 const Function& kernel, const MemoryLayout& layout, const Provenance* provenance,
+                 TraceEmitter& trace, std::string_view where)
     : ir(builder),
       lane_context_(lane_context),
       module_(module),
       kernel_(kernel),
       layout_(layout),
+      provenance_(provenance),
       trace_(trace),
       where_(where),
       entry_(builder.GetInsertBlock()) {
@@ -28,14 +29,16 @@ Emitter::Emitter(llvm::IRBuilder<>& builder, llvm::Value* lane_context, const Mo
     registers_.emplace(name, Register{storage, register_type});
   }
   for (const Variable& variable : kernel.variables) {
-    if (variable.space == StateSpace::shared) continue;
-    if (variable.space != StateSpace::local && variable.space != StateSpace::parameter)
+    if (variable.space == StateSpace::shared || variable.space == StateSpace::local) continue;
+    if (variable.space != StateSpace::parameter)
       throw_input_error(place(where, variable.line), fmt::format("variable '{}' in a body", variable.name),
                         ".local, .shared or .param");
     llvm::AllocaInst* storage = ir.CreateAlloca(llvm::ArrayType::get(ir.getInt8Ty(), variable.bytes));
     storage->setAlignment(llvm::Align(std::max(variable.alignment, 1u)));
     memory_.emplace(variable.name, storage);
   }
+  budget_ = ir.CreateAlloca(ir.getInt64Ty());
+  ir.CreateStore(context_field(offsetof(LaneContext, budget), ir.getInt64Ty()), budget_);
   carry_ = ir.CreateAlloca(ir.getInt1Ty());
   ir.CreateStore(ir.getFalse(), carry_);
 }
@@ -195,6 +198,12 @@ llvm::Value* Emitter::call_host(std::string_view name, llvm::Type* result,
   llvm::CallInst* call = ir.CreateCall(callee, arguments);
   call->setDoesNotThrow();
   return call;
+}
+
+llvm::Value* Emitter::spend(std::int64_t instructions) {
+  llvm::Value* left = ir.CreateSub(ir.CreateLoad(ir.getInt64Ty(), budget_), ir.getInt64(instructions));
+  ir.CreateStore(left, budget_);
+  return left;
 }
 
 llvm::Value* Emitter::carry() { return ir.CreateLoad(ir.getInt1Ty(), carry_); }

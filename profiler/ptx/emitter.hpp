@@ -11,15 +11,18 @@
 #include "profiler/ptx/memory_layout.hpp"
 #include "profiler/ptx/modifier_reader.hpp"
 #include "profiler/ptx/module.hpp"
+#include "profiler/ptx/provenance.hpp"
 #include "profiler/ptx/trace_emitter.hpp"
 
 namespace warpgrain::profiler::ptx {
 
 class Emitter {
  public:
-  // Emits the allocas of the kernel's registers and local memory at the builder's place.
+  // Emits the allocas of the kernel's registers at the builder's place. `provenance`: null for code that does
+  // not check its accesses.
   Emitter(llvm::IRBuilder<>& ir, llvm::Value* lane_context, const Module& module, const Function& kernel,
-          const MemoryLayout& layout, TraceEmitter& trace, std::string_view where);
+          const MemoryLayout& layout, const Provenance* provenance, TraceEmitter& trace,
+          std::string_view where);
 
   // Makes `statement` the instruction at hand.
   void begin(const Statement& statement);
@@ -56,6 +59,14 @@ class Emitter {
   llvm::Value* pointer(const Operand& operand);
   // Whether a generic address, an i64, lies in a state space: an i1.
   llvm::Value* lies_in(StateSpace space, llvm::Value* address);
+  // Where an access through `operand`, whose address is `pointer`, goes: there, or where the check of it
+  // leads. `stored`: the elements that a store is going to write.
+  llvm::Value* checked(llvm::Value* pointer, const Operand& operand, AccessSite site,
+                       llvm::ArrayRef<llvm::Value*> stored = {});
+  // The sites of all accesses that are checked, in the order of emission.
+  std::vector<AccessSite> sites;
+  // Adds the list of the provenance's variables, by which the launch finds their addresses.
+  void list_variables(llvm::StringRef name);
   // A field of the lane's context; it does not change while the lane runs.
   llvm::Value* context_field(std::size_t offset, llvm::Type* type);
   llvm::Value* context_pointer(std::size_t offset);
@@ -69,6 +80,9 @@ class Emitter {
                               llvm::ArrayRef<llvm::Value*> arguments) {
     return ir.CreateIntrinsic(id, {type}, arguments);
   }
+
+  // Takes from the lane's budget of instructions; what is left, an i64.
+  llvm::Value* spend(std::int64_t instructions);
 
   // CC.CF, the carry between add.cc, addc and the like: an i1.
   llvm::Value* carry();
@@ -86,7 +100,10 @@ class Emitter {
   };
 
   llvm::Value* read_name(const Operand& operand, ScalarType type);
-  llvm::Value* symbol_pointer(const std::string& name);    // null: no such symbol
+  llvm::Value* symbol_pointer(const std::string& name);  // null: no such symbol
+  bool fits_symbol(const Operand& operand, const AccessSite& site) const;
+  llvm::Value* in_bounds(llvm::Value* address, const AccessSite& site);
+  void refuse_beyond_parameter(const Operand& operand, std::uint32_t bytes) const;
   llvm::Value* special_register(const std::string& name);  // an i32 or i64; null: none
   llvm::Value* read_clock();
   llvm::GlobalVariable* module_variable(const Variable& variable);
@@ -97,13 +114,15 @@ class Emitter {
   const Module& module_;
   const Function& kernel_;
   const MemoryLayout& layout_;
+  const Provenance* provenance_;
   TraceEmitter& trace_;
   std::string_view where_;
   llvm::BasicBlock* entry_;
   std::unordered_map<std::string, Register> registers_;
-  std::unordered_map<std::string, llvm::AllocaInst*> memory_;  // local memory and the parameters of calls
+  std::unordered_map<std::string, llvm::AllocaInst*> memory_;  // the parameters of calls
   std::unordered_map<std::string, llvm::GlobalVariable*> globals_;
   llvm::AllocaInst* carry_ = nullptr;
+  llvm::AllocaInst* budget_ = nullptr;
   const Statement* statement_ = nullptr;
   mutable std::size_t operands_used_ = 0;
   std::optional<ModifierReader> modifiers_;

@@ -75,10 +75,8 @@ llvm::Value* Emitter::lies_in(StateSpace space, llvm::Value* address) {
       return within(context_field(offsetof(LaneContext, parameters), ir.getPtrTy()),
                     ir.getInt32(layout_.parameter_bytes));
     case StateSpace::local:
-      for (const Variable& variable : kernel_.variables)
-        if (variable.space == StateSpace::local)
-          found = ir.CreateOr(found, within(memory_.at(variable.name), ir.getInt64(variable.bytes)));
-      return found;
+      return within(context_field(offsetof(LaneContext, local), ir.getPtrTy()),
+                    ir.getInt32(layout_.local_bytes));
     case StateSpace::constant:
       for (const Variable& variable : module_.variables)
         if (variable.space == StateSpace::constant && !variable.external)
@@ -100,6 +98,8 @@ llvm::Value* Emitter::symbol_pointer(const std::string& name) {
     return offset_from(offsetof(LaneContext, parameters), found->second);
   if (const auto found = layout_.shared_offsets.find(name); found != layout_.shared_offsets.end())
     return offset_from(offsetof(LaneContext, shared), found->second);
+  if (const auto found = layout_.local_offsets.find(name); found != layout_.local_offsets.end())
+    return offset_from(offsetof(LaneContext, local), found->second);
   const Variable* variable = module_.find_variable(name);
   return variable ? module_variable(*variable) : nullptr;
 }

@@ -12,6 +12,8 @@ namespace {
 
 // More than any device has; keeps 32-bit offsets from wrapping.
 constexpr std::uint64_t max_bytes = std::uint64_t{1} << 24;
+// CUDA C++ Programming Guide, "Technical Specifications per Compute Capability": local memory per thread.
+constexpr std::uint64_t max_local_bytes = std::uint64_t{512} << 10;
 
 std::uint32_t append(const Variable& variable, std::uint32_t& end, std::string_view where) {
   const std::uint64_t offset =
@@ -39,7 +41,15 @@ MemoryLayout lay_out(const Module& module, const Function& kernel, std::string_v
     if (variable.space == StateSpace::shared && !variable.external)
       layout.shared_offsets[variable.name] = append(variable, layout.shared_bytes, where);
   };
-  for (const Variable& variable : kernel.variables) add_shared(variable);
+  for (const Variable& variable : kernel.variables) {
+    add_shared(variable);
+    if (variable.space == StateSpace::local)
+      layout.local_offsets[variable.name] = append(variable, layout.local_bytes, where);
+  }
+  if (layout.local_bytes > max_local_bytes)
+    throw_input_error(place(where, kernel.line),
+                      fmt::format("{} bytes of local memory a work-item", layout.local_bytes),
+                      fmt::format("at most {}", max_local_bytes));
   std::set<std::string_view> named;
   for (const Statement& statement : kernel.statements)
     for (const Operand& operand : statement.operands) collect_names(operand, named);

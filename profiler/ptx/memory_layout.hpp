@@ -1,5 +1,5 @@
 #pragma once
-// Where a kernel's parameters and its static shared memory lie.
+// Where a kernel's parameters, its static shared memory and a lane's local memory lie.
 
 #include <cstdint>
 #include <string>
@@ -18,6 +18,8 @@ struct MemoryLayout {
   // Shared memory whose size the launch gives (.extern .shared) lies behind the static one, all variables at
   // one place.
   const Variable* dynamic_shared = nullptr;
+  std::unordered_map<std::string, std::uint32_t> local_offsets;  // in a lane's local memory
+  std::uint32_t local_bytes = 0;
 };
 
 // `kernel` is an entry without calls. Of the module's shared variables only those that it names count.

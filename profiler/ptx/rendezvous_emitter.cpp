@@ -7,6 +7,9 @@
 namespace warpgrain::profiler::ptx {
 namespace {
 
+// Instructions that a switch between lanes takes about as long as.
+constexpr std::int64_t cost_of_waiting = 200;
+
 llvm::Value* field(Emitter& e, std::size_t offset) {
   return e.context_pointer(offsetof(LaneContext, rendezvous) + offset);
 }
@@ -28,6 +31,7 @@ void emit_rendezvous(Emitter& e, Meeting meeting, const RendezvousFields& fields
   set(e, offsetof(Rendezvous, bound), fields.bound);
   set(e, offsetof(Rendezvous, aligned), e.ir.getInt32(fields.aligned ? 1 : 0));
   set(e, offsetof(Rendezvous, value), fields.value, 64);
+  e.spend(cost_of_waiting);
   llvm::Value* wait = e.context_field(offsetof(LaneContext, wait), e.ir.getPtrTy());
   auto* type = llvm::FunctionType::get(e.ir.getVoidTy(), {e.ir.getPtrTy(), e.ir.getInt32Ty()}, false);
   e.ir.CreateCall(type, wait, {e.context_pointer(0), e.ir.getInt32(e.statement().line)});

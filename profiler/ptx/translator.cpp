@@ -1,5 +1,6 @@
 #include "profiler/ptx/translator.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <fmt/format.h>
 
@@ -14,20 +15,27 @@ namespace {
 class Translator {
  public:
   Translator(const Module& module, const Function& kernel, std::span<const Block> blocks,
-             const MemoryLayout& layout, TraceMode mode, std::string_view where, llvm::Module& out)
+             const MemoryLayout& layout, const Instrumentation& instrumentation, const Provenance* provenance,
+             std::string_view where, llvm::Module& out)
       : kernel_(kernel),
         blocks_(blocks),
+        loop_costs_(instrumentation.loop_costs),
+        provenance_(provenance),
         where_(where),
         lane_(make_function(out)),
         ir_(llvm::BasicBlock::Create(out.getContext(), "registers", lane_)),
-        trace_(ir_, lane_->getArg(0), mode),
-        emitter_(ir_, lane_->getArg(0), module, kernel, layout, trace_, where) {}
+        trace_(ir_, lane_->getArg(0), instrumentation.mode),
+        emitter_(ir_, lane_->getArg(0), module, kernel, layout, provenance, trace_, where) {}
 
   void run() {
     for (const Block& block : blocks_) starts_.push_back(new_block(block.label));
     ir_.CreateBr(starts_[0]);
     for (std::size_t b = 0; b < blocks_.size(); ++b) emit_block(static_cast<std::uint32_t>(b));
+    if (provenance_)
+      emitter_.list_variables(llvm::StringRef(variable_list_name.data(), variable_list_name.size()));
   }
+
+  std::vector<AccessSite> take_sites() { return std::move(emitter_.sites); }
 
  private:
   static llvm::Function* make_function(llvm::Module& out) {
@@ -65,25 +73,28 @@ class Translator {
       end_lane();
   }
 
-  // A trace grows without end only in a loop, so that it is enough to look there; the buffers have room for
-  // one pass over every block behind their limit.
+  // A lane runs without end only in a loop, so that it is enough to look there; the buffers have room for one
+  // pass over every block behind their limit.
   void emit_loop_check(std::uint32_t index) {
     const std::uint32_t line = blocks_[index].first < kernel_.statements.size()
                                    ? kernel_.statements[blocks_[index].first].line
                                    : kernel_.line;
     if (never_left(index)) {
-      stop_lane(LaneStatus::endless_loop, line);
+      stop_lane(status_value(LaneStatus::endless_loop), line);
       // What follows cannot be reached.
       ir_.SetInsertPoint(new_block("unreachable"));
       return;
     }
-    llvm::Value* exhausted = trace_.is_exhausted();
-    if (!exhausted) return;
+    llvm::Value* overspent = ir_.CreateICmpSLT(emitter_.spend(loop_costs_[index]), ir_.getInt64(0));
+    llvm::Value* exhausted = overspent;
+    if (llvm::Value* full = trace_.is_exhausted()) exhausted = ir_.CreateOr(overspent, full);
     llvm::BasicBlock* stop = new_block("exhausted");
     llvm::BasicBlock* go_on = new_block(blocks_[index].label + ".body");
     ir_.CreateCondBr(exhausted, stop, go_on);
     ir_.SetInsertPoint(stop);
-    stop_lane(LaneStatus::trace_exhausted, line);
+    stop_lane(ir_.CreateSelect(overspent, status_value(LaneStatus::budget_exhausted),
+                               status_value(LaneStatus::trace_exhausted)),
+              line);
     ir_.SetInsertPoint(go_on);
   }
 
@@ -168,11 +179,12 @@ class Translator {
     }
     llvm::Value* condition = read_guard(statement);
     llvm::BasicBlock* taken = starts_[block.successors[0]];
-    // A trap has no block of its own in the graph that its lanes would be seen to end in.
+    // The empty block that a predicated trap leads to does not know that it is one.
     if (statement.opcode == "trap") {
       taken = new_block("trap");
       llvm::BasicBlock* start = ir_.GetInsertBlock();
       ir_.SetInsertPoint(taken);
+      if (blocks_[block.successors[0]].recorded) trace_.record_block(block.successors[0]);
       end_lane(statement);
       ir_.SetInsertPoint(start);
     }
@@ -199,7 +211,7 @@ class Translator {
     llvm::BasicBlock* call = ir_.GetInsertBlock();
     llvm::BasicBlock* none = new_block("no_function");
     ir_.SetInsertPoint(none);
-    stop_lane(LaneStatus::no_function, statement.line);
+    stop_lane(status_value(LaneStatus::no_function), statement.line);
     ir_.SetInsertPoint(call);
     llvm::SwitchInst* functions = ir_.CreateSwitch(function, none);
     for (std::size_t i = 1; i < statement.operands.size(); ++i)
@@ -212,7 +224,7 @@ class Translator {
 
   void end_lane(const Statement& statement) {
     if (statement.opcode == "trap")
-      stop_lane(LaneStatus::trapped, statement.line);
+      stop_lane(status_value(LaneStatus::trapped), statement.line);
     else
       end_lane();
   }
@@ -222,15 +234,18 @@ class Translator {
     ir_.CreateRetVoid();
   }
 
-  void stop_lane(LaneStatus status, std::uint32_t line) {
-    ir_.CreateStore(ir_.getInt32(static_cast<std::uint32_t>(status)),
-                    emitter_.context_pointer(offsetof(LaneContext, status)));
+  llvm::Value* status_value(LaneStatus status) { return ir_.getInt32(static_cast<std::uint32_t>(status)); }
+
+  void stop_lane(llvm::Value* status, std::uint32_t line) {
+    ir_.CreateStore(status, emitter_.context_pointer(offsetof(LaneContext, status)));
     ir_.CreateStore(ir_.getInt32(line), emitter_.context_pointer(offsetof(LaneContext, line)));
     end_lane();
   }
 
   const Function& kernel_;
   std::span<const Block> blocks_;
+  std::span<const std::uint32_t> loop_costs_;
+  const Provenance* provenance_;
   std::string_view where_;
   llvm::Function* lane_;
   llvm::IRBuilder<> ir_;
@@ -239,11 +254,24 @@ class Translator {
   std::vector<llvm::BasicBlock*> starts_;
 };
 
+bool is_fence(const Statement& s) { return s.opcode == "membar" || s.opcode == "fence"; }
+
 }  // namespace
 
-void translate(const Module& module, const Function& kernel, std::span<const Block> blocks,
-               const MemoryLayout& layout, TraceMode mode, std::string_view where, llvm::Module& out) {
-  Translator(module, kernel, blocks, layout, mode, where, out).run();
+MemoryFacts translate(const Module& module, const Function& kernel, std::span<const Block> blocks,
+                      const MemoryLayout& layout, const Instrumentation& instrumentation,
+                      std::string_view where, llvm::Module& out) {
+  std::optional<Provenance> provenance;
+  if (instrumentation.checks == Checks::on) provenance.emplace(module, kernel, layout);
+  Translator translator(module, kernel, blocks, layout, instrumentation, provenance ? &*provenance : nullptr,
+                        where, out);
+  translator.run();
+  MemoryFacts facts;
+  if (!provenance) return facts;
+  facts.objects = provenance->objects();
+  facts.sites = translator.take_sites();
+  facts.has_fence = std::any_of(kernel.statements.begin(), kernel.statements.end(), is_fence);
+  return facts;
 }
 
 }  // namespace warpgrain::profiler::ptx

@@ -30,9 +30,9 @@ std::string kernel_section(const KernelSummary& kernel, std::uint64_t all_instru
 std::string report_page(const Report& report) {
   const std::vector<KernelSummary> kernels = kernels_of(report);
   const std::string title = title_of(report);
-  std::string body =
-      fmt::format("<h1>{}</h1>\n<p class=\"soft\">SIMT divergence report</p>\n{}{}", html::escape(title),
-                  html::headline_view(kernels), html::kernels_view(report, kernels));
+  std::string body = fmt::format(
+      "<h1>{}</h1>\n<p class=\"soft\">SIMT divergence report</p>\n{}{}", html::escape(title),
+      html::diagnostics_view(report) + html::headline_view(kernels), html::kernels_view(report, kernels));
   body += html::machine_view(report, kernels);
   body += "<h2>Kernel by kernel</h2>\n";
   const std::uint64_t all_instructions = headline_of(kernels).warp_instructions;

@@ -13,6 +13,9 @@ namespace warpgrain::reports::html {
 // The numbers that are asked for first, each with its definition and Nsight Compute's name.
 std::string headline_view(const std::vector<KernelSummary>& kernels);
 
+// What checked launches found wrong; empty when nothing.
+std::string diagnostics_view(const Report& report);
+
 // Totals of every kernel, and of every launch when there are more launches than kernels.
 std::string kernels_view(const Report& report, const std::vector<KernelSummary>& kernels);
 

@@ -20,8 +20,8 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"variants", {"core", "kernels", "profiler"}},
     {"analysis", {"core", "profiler/counters.hpp"}},
     {"reports",
-     {"core", "analysis", "profiler/counters.hpp", "profiler/profile.hpp", "profiler/launch.hpp",
-      "profiler/kernel_graph.hpp"}},
+     {"core", "analysis", "profiler/counters.hpp", "profiler/diagnostic.hpp", "profiler/profile.hpp",
+      "profiler/launch.hpp", "profiler/kernel_graph.hpp"}},
     {"cli", {"core", "kernels", "variants", "profiler", "analysis", "reports"}},
 };
 

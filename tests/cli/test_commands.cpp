@@ -147,6 +147,44 @@ TEST(WhatIfOptions, AreAllCombinationsOfTheirAxes) {
                                            {32, MergePolicy::loop_postdom, launched, 64}}));
 }
 
+TEST_F(Commands, ProfileSaysWhatIsWrongAndEndsWith1) {
+  write("k.cl",
+        "kernel void k(global int* a) {\n  a[get_global_id(0)] = 3;\n  a[9] = get_global_id(0);\n}\n");
+  const std::string launch = write("k.sim", "k.cl\nk\n128 1 1\n64 1 1\n<size=256 int fill=1>\n");
+  ASSERT_EQ(call({"profile", launch, "--json", path("r.json"), "--html", path("r.html")}), 1) << err_;
+  EXPECT_THAT(out_, HasSubstr("out_of_bounds: store of 4 bytes to global memory, 'a' at byte 256 of 256, "
+                              "work-item (64, 0, 0) in work-group (1, 0, 0); 64 times"));
+  EXPECT_THAT(out_, HasSubstr("k.cl:3 (PTX line "));
+  EXPECT_EQ(reports::read_report(path("r.json")).launches[0].counters.diagnostics.size(), 3u);
+  EXPECT_THAT(read("r.html"), HasSubstr("data_race"));
+  // Errors stay when summaries go.
+  ASSERT_EQ(call({"profile", launch, "--quiet"}), 1);
+  EXPECT_EQ(out_, "");
+  EXPECT_EQ(error_lines(), 3u) << err_;
+  write("k.sim", "k.cl\nk\n1 1 1\n1 1 1\n<size=256 int fill=1 ro>\n");
+  EXPECT_EQ(call({"profile", launch}), 1);
+  EXPECT_THAT(out_, HasSubstr("read_only_write"));
+  EXPECT_EQ(call({"profile", launch, "--unchecked"}), 0) << err_;
+  EXPECT_THAT(out_, testing::Not(HasSubstr("wrong")));
+}
+
+TEST_F(Commands, ProfileStopsLoopsWithoutEnd) {
+  write("k.cl", "kernel void k(global int* a) {\n  while (atomic_xchg(a, 1) == 1) {}\n}\n");
+  const std::string launch = write("k.sim", "k.cl\nk\n64 1 1\n64 1 1\n<size=4 int fill=1>\n");
+  for (const std::string checks : {"--quiet", "--unchecked"}) {
+    ASSERT_EQ(call({"profile", launch, "--max-instructions", "100000", checks}), 1);
+    EXPECT_THAT(out_ + err_, HasSubstr("instruction_limit"));
+    EXPECT_THAT(out_ + err_, HasSubstr("waits for memory that another work-item would have to write"));
+    EXPECT_THAT(out_ + err_, HasSubstr("given up"));
+  }
+  ASSERT_EQ(call({"profile", launch, "--max-instructions", "0"}), 2);
+}
+
+TEST_F(Commands, ProfileOfASceneFindsNothingWrong) {
+  ASSERT_EQ(call({"profile", "--scene", "head_on", "--json", path("r.json")}), 0) << out_ << err_;
+  EXPECT_THAT(read("r.json"), HasSubstr("\"diagnostics\": []"));
+}
+
 TEST_F(Commands, SweepResumesAndShards) {
   const std::vector<std::string> sweep{"sweep",          "--scene", "settled_bed",    "--particles", "64",
                                        "--at-step",      "20",      "--steps",        "5",           "--axis",

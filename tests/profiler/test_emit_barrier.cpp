@@ -88,7 +88,7 @@ TEST(EmitBarrier, WhatCannotEndIsNamed) {
     {0}; bra STORE;
     LOW: {0};)";
   EXPECT_THAT(refused_warp_snippet(fmt::format(fmt::runtime(halves), "bar.sync 0"), 64),
-              AllOf(HasSubstr("barrier divergence in work-group (0, 0, 0): 48 work-items wait at PTX line 9"),
+              AllOf(HasSubstr("barrier_divergence: 48 work-items wait at PTX line 9"),
                     HasSubstr("16 work-items wait at PTX line 10")));
   EXPECT_EQ(refused_warp_snippet(fmt::format(fmt::runtime(halves), "barrier.sync 0"), 64), "");
   EXPECT_THAT(refused_warp_snippet("bar.sync 1, 96;", 64), HasSubstr("64 work-items wait at PTX line 8"));

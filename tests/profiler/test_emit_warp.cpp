@@ -188,8 +188,8 @@ TEST(EmitWarp, DeadlocksAreNamed) {
     setp.lt.u32 %p0, %r0, 12; @%p0 bra LOW;
     shfl.sync.bfly.b32 %r9, %r0, 16, 31, -1; bra STORE;
     LOW: vote.sync.ballot.b32 %r9, 1, -1;)"),
-      AllOf(HasSubstr("kernel 'k': deadlock between lanes in work-group (0, 0, 0): 20 wait for lanes of "
-                      "their warp at PTX line 10"),
+      AllOf(HasSubstr(
+                "barrier_divergence: deadlock between lanes: 20 wait for lanes of their warp at PTX line 10"),
             HasSubstr("12 wait for lanes of their warp at PTX line 11")));
   EXPECT_THAT(refused_warp_snippet(R"(
     setp.lt.u32 %p0, %r0, 12; @%p0 bra LOW;

@@ -123,12 +123,14 @@ TEST(InlineCalls, ThroughAPointerBranchesToWhatFits) {
 }
 
 TEST(InlineCalls, ThroughAPointerToNoFunctionStops) {
-  EXPECT_THAT(refusal([] { run("call (b), %d3, (a), few;"); }),
-              HasSubstr("work-item 1: it called through a pointer at PTX line 21 to no function"));
-  EXPECT_THAT(refusal([] { run("mov.u64 %d3, 0; call (b), %d3, (a), type;"); }), HasSubstr("to no function"));
   EXPECT_THAT(
-      refusal([] { run("mov.u64 %d3, itself; call (b), %d3, (a), type;"); }),
-      HasSubstr("to no function; expected the address of a function that fits the call and is not running"));
+      refusal([] { run("call (b), %d3, (a), few;"); }),
+      HasSubstr(
+          "PTX line 21: invalid_call: it called through a pointer to no function that fits the call and is "
+          "not running, work-item (1, 0, 0)"));
+  EXPECT_THAT(refusal([] { run("mov.u64 %d3, 0; call (b), %d3, (a), type;"); }), HasSubstr("to no function"));
+  EXPECT_THAT(refusal([] { run("mov.u64 %d3, itself; call (b), %d3, (a), type;"); }),
+              HasSubstr("to no function that fits the call and is not running"));
 }
 
 TEST(InlineCalls, RefusesWhatItCannotPlace) {

@@ -5,6 +5,7 @@
 
 #include "core/error.hpp"
 #include "profiler/profile.hpp"
+#include "profiler/safety/launch_monitor.hpp"
 #include "tests/profiler/hand_made.hpp"
 
 namespace warpgrain::profiler {
@@ -19,9 +20,12 @@ class PretendedExecutable : public Executable {
   }
   const KernelGraph& graph() const override { return graph_; }
   std::span<const KernelParameter> parameters() const override { return {}; }
-  std::unique_ptr<WorkGroupRunner> runner(const LaunchShape& shape,
-                                          std::span<const KernelArgument>) const override {
-    return std::make_unique<Runner>(graph_, shape, failing_group, n_groups_run);
+  std::unique_ptr<LaunchMonitor> monitor(const LaunchShape& shape, std::span<const KernelArgument> arguments,
+                                         const RunLimits& limits) const override {
+    return std::make_unique<LaunchMonitor>(kernel_, shape, arguments, limits);
+  }
+  std::unique_ptr<WorkGroupRunner> runner(LaunchMonitor& monitor) const override {
+    return std::make_unique<Runner>(graph_, monitor.shape(), failing_group, n_groups_run);
   }
 
   std::uint64_t failing_group = ~std::uint64_t{0};
@@ -61,6 +65,7 @@ class PretendedExecutable : public Executable {
   };
 
   KernelGraph graph_;
+  TranslatedKernel kernel_;  // of no instruction, for the monitor
 };
 
 const LaunchShape shape{{40, 30, 2}, {8, 5, 1}};  // 60 work-groups of 40: a full warp of 32 and one of 8

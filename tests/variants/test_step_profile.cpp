@@ -75,6 +75,17 @@ TEST_F(StepProfile, DoesNotDependOnThreads) {
   }
 }
 
+// All kernels, checked: accesses in bounds, no races, barriers that all reach.
+TEST_F(StepProfile, NothingIsWrongWithTheKernels) {
+  const Scene bed = random_bed({.n_particles = 300});
+  for (const Variant& variant : all_variants())
+    for (const LaunchProfile& launch : profile_step(bed, variant, {})) {
+      std::string found;
+      for (const profiler::Diagnostic& d : launch.counters.diagnostics) found += diagnostic_text(d) + '\n';
+      EXPECT_EQ(found, "") << variant.name() << ", " << launch.counters.kernel;
+    }
+}
+
 TEST_F(StepProfile, StopsWhereTheStepStops) {
   Scene bed = random_bed({.n_particles = 100});
   bed.particles.velocity[7] = {1e9, 0, 0};
