@@ -17,4 +17,12 @@ constexpr float half_to_float(std::uint16_t bits) {
   return std::bit_cast<float>(sign | std::bit_cast<std::uint32_t>(magnitude));
 }
 
+enum class HalfRounding : std::uint8_t { to_nearest, towards_zero, down, up };
+
+// Rounded once. NaN becomes the quiet NaN of all fraction bits, as PTX has it.
+std::uint16_t double_to_half(double value, HalfRounding rounding);
+
+// a b + c, rounded once, to nearest.
+std::uint16_t fma_half(std::uint16_t a, std::uint16_t b, std::uint16_t c);
+
 }  // namespace warpgrain::profiler

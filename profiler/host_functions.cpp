@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "profiler/directed_rounding.hpp"
+#include "profiler/half.hpp"
 #include "profiler/printf_function.hpp"
 
 namespace warpgrain::profiler {
@@ -56,6 +57,7 @@ std::vector<HostFunction> host_functions() {
                                         host_function("warpgrain_ex2", host_ex2),
                                         host_function("warpgrain_lg2", host_lg2),
                                         host_function("warpgrain_tanh", host_tanh),
+                                        host_function("warpgrain_fma_f16", fma_half),
                                         host_function("warpgrain_printf", print_arguments),
                                         host_function("warpgrain_vprintf", print_packed),
                                         host_function("warpgrain_find_nth_set", find_nth_set),

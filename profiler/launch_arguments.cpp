@@ -74,15 +74,22 @@ class Binder {
     bound_.argument = KernelArgument::local(static_cast<std::uint32_t>(given_.size));
   }
 
+  // Its three elements without the fourth's room behind them.
+  bool is_tight_3_vector() const {
+    const auto type = element_type_of_parameter(declared_type_);
+    const bool has_three = declared_type_.ends_with('3') || declared_type_.ends_with("(3)))");
+    return type && has_three && given_.size == 3 * element_size(*type);
+  }
+
   void bind_scalar() {
     if (given_.is_null || given_.dump || given_.no_init || given_.read_only || given_.write_only)
       refuse("null, noinit, dump, ro or wo for a scalar", "a buffer parameter for these");
-    if (given_.size != parameter_.bytes)
+    if (given_.size != parameter_.bytes && !is_tight_3_vector())
       refuse(fmt::format("size={}", given_.size),
              fmt::format("size={}, as the kernel declares it", parameter_.bytes));
     find_type();
-    std::vector<std::byte> value(given_.size);
-    fill(value);
+    std::vector<std::byte> value(parameter_.bytes);
+    fill(std::span(value).first(given_.size));
     bound_.argument = KernelArgument::scalar(value);
   }
 

@@ -56,6 +56,10 @@ const std::string& builtin_library() {
   return found;
 }
 
+// Beyond those that clang's target has by itself.
+constexpr const char* extensions =
+    "-cl-ext=+cl_khr_fp16,+cl_khr_int64_base_atomics,+cl_khr_int64_extended_atomics";
+
 constexpr const char* builtins_name = "builtins.bc";
 
 // The pinned pipeline. Loops are unrolled whole where their count is a small constant, which frees arrays
@@ -63,9 +67,9 @@ constexpr const char* builtins_name = "builtins.bc";
 // branch.
 std::vector<std::string> pinned_options(bool exact_division) {
   return {"-x", "cl", "-cl-std=CL1.2", "-target", "nvptx64-nvidia-nvcl", "-Xclang", "-target-cpu", "-Xclang",
-          "sm_70", "-Wno-linker-warnings", "-O2", "-gdwarf-4", "-gline-directives-only",
-          "-fdebug-compilation-dir=.", "-fno-crash-diagnostics", "-mllvm", "-unroll-runtime=false", "-mllvm",
-          "-unroll-allow-partial=false",
+          "sm_70", "-Xclang", extensions, "-Wno-linker-warnings", "-O2", "-gdwarf-4",
+          "-gline-directives-only", "-fdebug-compilation-dir=.", "-fno-crash-diagnostics", "-mllvm",
+          "-unroll-runtime=false", "-mllvm", "-unroll-allow-partial=false",
           // Devices' compilers put every function in place.
           "-mllvm", "-inline-threshold=1000000",
           // OpenCL's accuracy of float division, 2.5 ulp, lets it be div.full; else IEEE's.
@@ -97,12 +101,20 @@ std::string failure_text(const ProcessResult& result) {
   return text.empty() ? fmt::format("clang ended with status {}", result.exit_status) : text;
 }
 
-// The user's options behind `options`, and the folder where the source's #include "..." start from.
+// The user's options behind `options`, and the folder where the source's #include "..." start from; so do the
+// folders of -I.
 void append_user_options(std::vector<std::string>& options, const std::vector<std::string>& user_options,
                          std::string_view source_name) {
   const std::filesystem::path folder_of_source = std::filesystem::path(source_name).parent_path();
   options.insert(options.end(), {"-iquote", folder_of_source.empty() ? "." : folder_of_source.string()});
-  options.insert(options.end(), user_options.begin(), user_options.end());
+  for (std::size_t i = 0; i < user_options.size(); ++i) {
+    if (!user_options[i].starts_with("-I")) {
+      options.push_back(user_options[i]);
+      continue;
+    }
+    const std::string folder = user_options[i] == "-I" ? user_options[++i] : user_options[i].substr(2);
+    options.push_back("-I" + (folder_of_source / folder).string());
+  }
 }
 
 // Ours come first: what they define is not taken from libclc.
@@ -161,6 +173,8 @@ std::string declaration_bitcode(std::string_view source, std::string_view source
                                    "-cl-std=CL1.2",
                                    "-target",
                                    "nvptx64-nvidia-nvcl",
+                                   "-Xclang",
+                                   extensions,
                                    "-cl-kernel-arg-info",
                                    "-w",
                                    "-Xclang",

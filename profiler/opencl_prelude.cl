@@ -1,7 +1,11 @@
 // Comes before every kernel. libclc's native functions and its square roots compile to what NVPTX cannot
 // select, or to long exact code; on the devices that OpenCL's accuracy rules are written for they are one or
 // two approximate instructions. `nodebug` gives those the line of the call.
+#if __OPENCL_C_VERSION__ < 120  // which has no static functions
+#define WARPGRAIN_INLINE inline __attribute__((overloadable, always_inline, nodebug))
+#else
 #define WARPGRAIN_INLINE static inline __attribute__((overloadable, always_inline, nodebug))
+#endif
 
 #define WARPGRAIN_VECTORS_OF_1(f, T)                                         \
   WARPGRAIN_INLINE T##2 f(T##2 x) { return (T##2)(f(x.x), f(x.y)); }         \
@@ -73,9 +77,27 @@ WARPGRAIN_VECTORS_OF_1(warpgrain_sqrt, double)
 WARPGRAIN_INLINE double warpgrain_rsqrt(double x) { return 1.0 / __nvvm_sqrt_rn_d(x); }
 WARPGRAIN_VECTORS_OF_1(warpgrain_rsqrt, double)
 
+#pragma OPENCL EXTENSION cl_khr_fp16 : enable
+WARPGRAIN_INLINE half warpgrain_sqrt(half x) { return (half)__nvvm_sqrt_rn_f(x); }
+WARPGRAIN_VECTORS_OF_1(warpgrain_sqrt, half)
+WARPGRAIN_INLINE half warpgrain_rsqrt(half x) { return (half)__nvvm_rsqrt_approx_f(x); }
+WARPGRAIN_VECTORS_OF_1(warpgrain_rsqrt, half)
+#pragma OPENCL EXTENSION cl_khr_fp16 : disable
+
 #define sqrt(...) warpgrain_sqrt(__VA_ARGS__)
 #define rsqrt(...) warpgrain_rsqrt(__VA_ARGS__)
 
-// Declared by OpenCL, missing in libclc for NVPTX. Launches have no offset.
+// Declared by OpenCL, missing in libclc for NVPTX. Launches have three dimensions, and no offset.
+#define get_work_dim() 3u
 #define get_global_offset(dimension) ((size_t)0)
 #define mad_hi(a, b, c) ((__typeof__(mul_hi(a, b)))(mul_hi(a, b) + (c)))
+
+// What OpenCL C 2.0 adds of such functions.
+#if __OPENCL_C_VERSION__ >= 200
+#define get_enqueued_local_size(dimension) get_local_size(dimension)
+#define get_local_linear_id() \
+  ((get_local_id(2) * get_local_size(1) + get_local_id(1)) * get_local_size(0) + get_local_id(0))
+#define get_global_linear_id() \
+  ((get_global_id(2) * get_global_size(1) + get_global_id(1)) * get_global_size(0) + get_global_id(0))
+#define work_group_barrier(flags, ...) barrier(flags)
+#endif

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "profiler/ptx/float_extremum.hpp"
 #include "profiler/ptx/float_operation.hpp"
 #include "profiler/ptx/instructions.hpp"
 
@@ -209,8 +210,7 @@ void emit_neg(Emitter& e) {
   e.write(e.ir.CreateNeg(e.read(1, type)), type);
 }
 
-// One NaN gives the other operand, unless .NaN is asked for; -0 is below +0. With .xorsign.abs, of the
-// magnitudes, and negative where one of the two is.
+// With .xorsign.abs, of the magnitudes, and negative where one of the two is.
 void emit_float_extremum(Emitter& e, FloatOperation& modes, ScalarType type, bool is_min) {
   const bool keep_nan = e.modifiers().take("NaN");
   const bool of_magnitudes = e.modifiers().take("xorsign") && e.modifiers().take("abs");
@@ -223,16 +223,8 @@ void emit_float_extremum(Emitter& e, FloatOperation& modes, ScalarType type, boo
   if (of_magnitudes) {
     a = e.call_intrinsic(llvm::Intrinsic::fabs, e.type(type), {a});
     b = e.call_intrinsic(llvm::Intrinsic::fabs, e.type(type), {b});
-    a_bits = e.ir.CreateBitCast(a, bits);
-    b_bits = e.ir.CreateBitCast(b, bits);
   }
-  Value* a_wins = is_min ? e.ir.CreateFCmpOLT(a, b) : e.ir.CreateFCmpOGT(a, b);
-  Value* result = e.ir.CreateSelect(a_wins, a, b);
-  // Equal operands have equal bits, but for zeros of two signs.
-  Value* of_equals = is_min ? e.ir.CreateOr(a_bits, b_bits) : e.ir.CreateAnd(a_bits, b_bits);
-  result = e.ir.CreateSelect(e.ir.CreateFCmpOEQ(a, b), e.ir.CreateBitCast(of_equals, e.type(type)), result);
-  result = e.ir.CreateSelect(e.ir.CreateFCmpUNO(b, b), keep_nan ? b : a, result);
-  if (keep_nan) result = e.ir.CreateSelect(e.ir.CreateFCmpUNO(a, a), a, result);
+  Value* result = float_extremum(e, a, b, is_min, keep_nan);
   if (of_magnitudes) result = e.call_intrinsic(llvm::Intrinsic::copysign, e.type(type), {result, sign});
   modes.output(result, type);
 }
@@ -266,6 +258,19 @@ void emit_sad(Emitter& e) {
 }
 
 }  // namespace
+
+Value* float_extremum(Emitter& e, Value* a, Value* b, bool is_min, bool keep_nan) {
+  llvm::Type* const bits = e.int_type(a->getType()->getPrimitiveSizeInBits());
+  Value* a_bits = e.ir.CreateBitCast(a, bits);
+  Value* b_bits = e.ir.CreateBitCast(b, bits);
+  Value* a_wins = is_min ? e.ir.CreateFCmpOLT(a, b) : e.ir.CreateFCmpOGT(a, b);
+  Value* result = e.ir.CreateSelect(a_wins, a, b);
+  // Equal operands have equal bits, but for zeros of two signs.
+  Value* of_equals = is_min ? e.ir.CreateOr(a_bits, b_bits) : e.ir.CreateAnd(a_bits, b_bits);
+  result = e.ir.CreateSelect(e.ir.CreateFCmpOEQ(a, b), e.ir.CreateBitCast(of_equals, a->getType()), result);
+  result = e.ir.CreateSelect(e.ir.CreateFCmpUNO(b, b), keep_nan ? b : a, result);
+  return keep_nan ? e.ir.CreateSelect(e.ir.CreateFCmpUNO(a, a), a, result) : result;
+}
 
 const InstructionTable& arithmetic_instructions() {
   static const InstructionTable table{

@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "profiler/ptx/control_flow.hpp"
 #include "profiler/ptx/emit_printf.hpp"
+#include "profiler/ptx/missing_function.hpp"
 #include "profiler/ptx/place.hpp"
 
 namespace warpgrain::profiler::ptx {
@@ -103,8 +104,7 @@ class Inliner {
     }
     if (!callee && is_register(call.callee)) return expand_indirect(statement, call);
     if (!callee || !callee->has_body)
-      throw_input_error(place(where_, module_, statement),
-                        fmt::format("call of '{}', which has no body here", call.callee),
+      throw_input_error(place(where_, module_, statement), missing_function(call.callee),
                         "functions of this module");
     Names bound;
     bind(callee->results, call.results, statement, bound);

@@ -124,6 +124,7 @@ InstructionFacts instruction_facts(const Statement& s) {
   if (s.opcode == "cvt") return {Class::conversion, conversion_operations(s)};
   if (s.opcode == "div" || s.opcode == "rem") return division_facts(s);
   if (const auto found = fixed_facts().find(s.opcode); found != fixed_facts().end()) return found->second;
+  if (has(s, "f16x2")) return {Class::fp16};
   return {class_of_type(last_type(s))};
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "profiler/ptx/emit_half.hpp"
 #include "profiler/ptx/emit_printf.hpp"
 #include "profiler/ptx/emitter.hpp"
 #include "profiler/ptx/instructions.hpp"
@@ -142,6 +143,7 @@ class Translator {
   }
 
   InstructionEmitter find_instruction(const Statement& statement) const {
+    if (is_half_arithmetic(statement)) return half_instructions().at(statement.opcode);
     for (const InstructionTable* table :
          {&arithmetic_instructions(), &float_instructions(), &bit_instructions(), &compare_instructions(),
           &move_instructions(), &memory_instructions(), &barrier_instructions(), &warp_instructions(),

@@ -93,6 +93,55 @@ TEST(OpenClFrontend, ApproximateInstructionsOfTheDefaultAccuracy) {
   EXPECT_THAT(exact, HasSubstr("div.rn.f32"));
 }
 
+TEST(OpenClFrontend, TakesTheOptionsOfClBuildProgram) {
+  for (const std::string options :
+       {"-cl-std=CL1.1", "-cl-std=CL1.2", "-cl-std=CL2.0", "-cl-std=CL3.0", "-cl-fast-relaxed-math",
+        "-cl-mad-enable -cl-no-signed-zeros -cl-denorms-are-zero", "-cl-single-precision-constant -w",
+        "-cl-opt-disable", "-cl-finite-math-only -cl-unsafe-math-optimizations -cl-strict-aliasing",
+        "-D 'A=1 + 2' -DB=\"(3)\" -D C", "-cl-kernel-arg-info -Werror"}) {
+    SCOPED_TRACE(options);
+    const std::string ptx =
+        compile_opencl("kernel void k(global float* a) { a[get_global_id(0)] = sin(a[1]) / a[2]; }", "a.cl",
+                       options)
+            .ptx;
+    EXPECT_EQ(refusal([&] { Executable::compile(ptx, "k", TraceMode::blocks, "a.cl"); }), "");
+  }
+  EXPECT_THAT(refusal([] { compile_opencl("kernel void k() {}", "a.cl", "-cl-no-such-option"); }),
+              HasSubstr("-cl-no-such-option"));
+}
+
+TEST(OpenClFrontend, FoldersOfIncludesAreCountedFromTheProgram) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path() / "include");
+  std::ofstream(folder.path() / "include" / "n.h") << "#define N 7654321\n";
+  const std::string source = "#include <n.h>\nkernel void k(global int* a) { a[0] = N; }";
+  for (const std::string& options :
+       {std::string("-I include"), std::string("-Iinclude"), "-I" + (folder.path() / "include").string()})
+    EXPECT_THAT(compile_opencl(source, (folder.path() / "k.cl").string(), options).ptx, HasSubstr("7654321"));
+}
+
+TEST(OpenClFrontend, WhatIsNotCarriedIsNamedWithItsPlace) {
+  const auto refused = [](const std::string& source, const std::string& options = "") {
+    return refusal([&] {
+      Executable::compile(compile_opencl(source, "k.cl", options).ptx, "k", TraceMode::blocks, "k.cl");
+    });
+  };
+  const std::string image = refused(
+      "kernel void k(read_only image2d_t i, sampler_t s, global float4* o) {\n  o[0] = read_imagef(i, s, "
+      "(int2)(0));\n}");
+  EXPECT_THAT(image, HasSubstr("(k.cl:2): 'read_imagef': images and samplers are not carried"));
+  EXPECT_THAT(
+      refused("kernel void k(write_only image2d_t i) {\n\n  write_imagef(i, (int2)(0), (float4)(0));\n}"),
+      HasSubstr("(k.cl:3): 'write_imagef': images"));
+  EXPECT_THAT(
+      refused("kernel void k(read_only pipe int p, global int* o) {\n  read_pipe(p, o);\n}", "-cl-std=CL2.0"),
+      HasSubstr("(k.cl:2): '__read_pipe_2': pipes are not carried"));
+  EXPECT_THAT(refused("kernel void k(global int* o) {\n  enqueue_kernel(get_default_queue(), "
+                      "CLK_ENQUEUE_FLAGS_NO_WAIT, ndrange_1D(1), ^{ o[0] = 1; });\n}",
+                      "-cl-std=CL2.0"),
+              HasSubstr("device-side enqueue is not carried"));
+}
+
 TEST(OpenClFrontend, RefusesOptionsThatAreNotOpenCls) {
   EXPECT_THAT(refusal([] { compile_opencl("", "a.cl", "-o /etc/passwd"); }),
               HasSubstr("build options: unknown option '-o'; valid: -D"));

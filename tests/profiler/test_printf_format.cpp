@@ -1,10 +1,8 @@
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <vector>
 
-#include "profiler/half.hpp"
 #include "profiler/printf_format.hpp"
 
 namespace warpgrain::profiler {
@@ -82,16 +80,6 @@ TEST(PrintfFormat, WhatCannotBePrintedStands) {
 TEST(PrintfFormat, LongTextsAreWhole) {
   EXPECT_EQ(format("%1000d", 1).size(), 1000U);
   EXPECT_EQ(format("%f", 1e300).size(), 308U);
-}
-
-TEST(Half, EveryValueAsAFloat) {
-  EXPECT_EQ(half_to_float(0x3c00), 1.0F);
-  EXPECT_EQ(half_to_float(0x8001), -0x1p-24F);
-  EXPECT_EQ(half_to_float(0x03ff), 0x3ffp-24F);
-  EXPECT_EQ(half_to_float(0x7bff), 65504.0F);
-  EXPECT_EQ(half_to_float(0xfc00), -INFINITY);
-  EXPECT_TRUE(std::isnan(half_to_float(0x7e00)));
-  EXPECT_TRUE(std::signbit(half_to_float(0x8000)));
 }
 
 }  // namespace

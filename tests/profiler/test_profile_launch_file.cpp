@@ -138,6 +138,12 @@ TEST_F(ProfileLaunchFile, ProvenanceIsKept) {
   EXPECT_EQ(profile.counters.lines.at(0).file, profile.source_name);
 }
 
+TEST_F(ProfileLaunchFile, ThreeVectorsMayBeGivenWithoutRoomForAFourth) {
+  write("k.cl", "kernel void k(global float* a, float3 v) { a[0] = v.x + 10 * v.y + 100 * v.z; }");
+  profile("k.cl k 1 1 1 1 1 1 <size=4 noinit dump> <size=12> 1 2 3");
+  EXPECT_THAT(dump_.str(), HasSubstr("a[0] = 321\n"));
+}
+
 TEST_F(ProfileLaunchFile, ErrorsNameThePlace) {
   const std::string tail = " 4 1 1 2 1 1 <size=16 noinit>";
   EXPECT_THAT(error_of("gone.cl k" + tail), HasSubstr("gone.cl': cannot be read"));
