@@ -194,7 +194,7 @@ std::vector<WhatIf> four_widths_and_three_policies(const ThreadOrder& order) {
 // Twelve other warps beside: compare with run_and_merge.
 void run_and_ask(benchmark::State& state, TraceMode mode, const char* order) {
   ForceKernel& kernel = force_kernel(state.range(0));
-  const Executable& executable = kernel.executable(mode);
+  const Executable& executable = kernel.executable(mode, Checks::off);
   const auto questions = four_widths_and_three_policies(ThreadOrder::from_name(order, "order"));
   for (auto _ : state) benchmark::DoNotOptimize(kernel.profile(executable, questions).what_if.data());
   state.SetItemsProcessed(state.iterations() * state.range(0));

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "profiler/executable.hpp"
+#include "profiler/safety/launch_monitor.hpp"
 #include "tests/profiler/hand_made.hpp"
 
 namespace warpgrain::profiler {
@@ -16,12 +17,17 @@ class TracedExecutable : public Executable {
  public:
   // `groups` are the lanes of each work-group, in the order of launching; what they point to outlives this.
   TracedExecutable(KernelGraph graph, std::vector<std::vector<LaneTrace>> groups)
-      : graph_(std::move(graph)), groups_(std::move(groups)) {}
+      : groups_(std::move(groups)) {
+    kernel_.graph = std::move(graph);
+  }
 
-  const KernelGraph& graph() const override { return graph_; }
+  const KernelGraph& graph() const override { return kernel_.graph; }
   std::span<const KernelParameter> parameters() const override { return {}; }
-  std::unique_ptr<WorkGroupRunner> runner(const LaunchShape&,
-                                          std::span<const KernelArgument>) const override {
+  std::unique_ptr<LaunchMonitor> monitor(const LaunchShape& shape, std::span<const KernelArgument> arguments,
+                                         const RunLimits& limits) const override {
+    return std::make_unique<LaunchMonitor>(kernel_, shape, arguments, limits);
+  }
+  std::unique_ptr<WorkGroupRunner> runner(LaunchMonitor&) const override {
     return std::make_unique<Runner>(groups_);
   }
   LaunchShape shape() const {
@@ -43,7 +49,7 @@ class TracedExecutable : public Executable {
     const std::vector<std::vector<LaneTrace>>& groups_;
   };
 
-  KernelGraph graph_;
+  TranslatedKernel kernel_;
   std::vector<std::vector<LaneTrace>> groups_;
 };
 
