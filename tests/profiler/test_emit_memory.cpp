@@ -159,7 +159,7 @@ TEST(EmitMemory, RefusesWhatItDoesNotCarry) {
                         "expected .up, .down, .bfly or .idx"));
   EXPECT_THAT(compile("min.rz.f32 %f0, %f1, %f2;"), HasSubstr("without '.rz'"));
   EXPECT_THAT(compile("frobnicate.u32 %r0;"), HasSubstr("'frobnicate.u32 %r0;' is not carried"));
-  EXPECT_THAT(compile("add.f16 %h0, %h1, %h2;"), HasSubstr("f32 or f64"));
+  EXPECT_THAT(compile("add.bf16 %h0, %h1, %h2;"), HasSubstr("'add.bf16 %h0, %h1, %h2;' is not carried"));
   EXPECT_THAT(compile("mov.u32 %r0;"), HasSubstr("more operands"));
   EXPECT_THAT(compile("add.u32 7, %r0, %r1;"), HasSubstr("a register to write"));
   EXPECT_THAT(compile("shl.f32 %f0, %f1, 2;"), HasSubstr("an integer type"));

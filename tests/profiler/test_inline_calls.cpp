@@ -152,7 +152,7 @@ TEST(InlineCalls, AFailedAssertionStops) {
                           "k", TraceMode::blocks, "k.ptx");
   run_launch(*executable, line_of(2, 2), {});
   EXPECT_THAT(refusal([&] { run_launch(*executable, line_of(3, 3), {}); }),
-              HasSubstr("work-item 2: it ran the trap at PTX line 6"));
+              HasSubstr("PTX line 6: trap: it ran the trap, work-item (2, 0, 0)"));
 }
 
 TEST(InlineCalls, AnAliasIsTheFunction) {

@@ -26,7 +26,7 @@ TEST(LaunchMonitor, BudgetsEndLoops) {
   const std::string source = R"(kernel void k(global int* a) {
   int i = get_global_id(0), n = 0;
   if (i == 5)
-    while (a[n & 511] == 0) n += 3;
+    while (a[512 + (n & 511)] == 0) n += 3;
   a[i] = n;
 })";
   for (const TraceMode mode : {TraceMode::blocks, TraceMode::blocks_and_addresses}) {
