@@ -1,7 +1,6 @@
 #include "profiler/safety/access_checker.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <fmt/format.h>
 
 namespace warpgrain::profiler {
@@ -90,7 +89,7 @@ void AccessChecker::add_shared_regions(std::span<const std::byte> shared,
       granule = std::min<std::uint32_t>(granule, site.bytes);
   shared_state_.begin = begin;
   shared_state_.end = begin + shared.size();
-  shared_state_.history = std::make_unique<AccessHistory>(shared.size(), granule, 0, false, true);
+  shared_state_.history = std::make_unique<AccessHistory>(shared.size(), granule, 0, true, false, true);
 }
 
 // From here on accesses of the site go to the region without a closer look, where they may.
@@ -207,10 +206,8 @@ void AccessChecker::look_at_history(const Access& access, const MemoryRegion& re
   if (site.kind == AccessKind::load) {
     race = history.read(offset, site.bytes, visit);
   } else {
-    const bool same_value =
-        site.kind == AccessKind::store &&
-        std::memcmp(reinterpret_cast<const void*>(access.address), access.lane.stored, site.bytes) == 0;
-    race = history.write(offset, site.bytes, visit, same_value);
+    const void* const after = site.kind == AccessKind::store ? access.lane.stored : nullptr;
+    race = history.write(offset, site.bytes, visit, {reinterpret_cast<const void*>(access.address), after});
   }
   const bool synchronized = group_synchronized_ || lane_synchronized_[access.lane.linear_tid];
   if (race && !synchronized)

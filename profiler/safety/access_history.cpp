@@ -31,14 +31,15 @@ std::uint64_t load(const std::uint64_t& cell) { return __atomic_load_n(&cell, __
 }  // namespace
 
 AccessHistory::AccessHistory(std::uint64_t bytes, std::uint32_t granule, std::uint32_t vector_bytes,
-                             bool concurrent, bool per_group)
+                             bool has_reads, bool concurrent, bool per_group)
     : shift_(static_cast<std::uint32_t>(std::countr_zero(granule))),
       vector_bytes_(vector_bytes > granule ? vector_bytes : 0),
       bytes_(bytes),
+      has_reads_(has_reads),
       concurrent_(concurrent),
       per_group_(per_group),
       writes_((bytes >> shift_) + 1),
-      reads_((bytes >> shift_) + 1) {}
+      reads_(has_reads ? (bytes >> shift_) + 1 : 0) {}
 
 AccessHistory::Cell AccessHistory::pack(const Visit& visit) {
   return visit.item | (visit.clock->now() % GroupClock::period) << time_at |
@@ -100,24 +101,28 @@ std::optional<RaceFound> AccessHistory::look_at_siblings(std::uint64_t offset, s
 }
 
 std::optional<RaceFound> AccessHistory::write(std::uint64_t offset, std::uint32_t bytes, const Visit& visit,
-                                              bool same_value) {
+                                              const WrittenValues& values) {
   std::optional<RaceFound> found;
   const Cell mine = pack(visit);
   for (std::uint64_t piece = offset >> shift_; piece <= (offset + bytes - 1) >> shift_; ++piece) {
     Cell cell = mine;
-    const Cell before = load(writes_[piece]);
-    // A plain write stays one when its work-item goes on with atomics.
-    if (visit.ordered && (item_of(before) != visit.item || (before & ordered) != 0)) cell |= ordered;
+    if (visit.ordered) {
+      // A plain write stays one when its work-item goes on with atomics.
+      const Cell before = load(writes_[piece]);
+      if (item_of(before) != visit.item || (before & ordered) != 0) cell |= ordered;
+    }
     const Cell last = exchange(writes_[piece], cell);
-    if (found) continue;
-    const bool harmless = same_value && !visit.ordered && (last & ordered) == 0;
-    if (!harmless) found = against_write(last, visit);
-    if (!found) found = against_reads(load(reads_[piece]), visit);
+    if (last != 0 && !found) {
+      found = against_write(last, visit);
+      if (found && !visit.ordered && (last & ordered) == 0 && values.same(bytes)) found.reset();
+    }
+    if (!has_reads_ || found) continue;
+    if (const Cell reads = load(reads_[piece]); reads != 0) found = against_reads(reads, visit);
   }
   if (found || visit.ordered) return found;
   return look_at_siblings(offset, bytes, [&](std::uint64_t piece) {
     const auto of_write = against_write(load(writes_[piece]), visit);
-    return of_write ? of_write : against_reads(load(reads_[piece]), visit);
+    return of_write || !has_reads_ ? of_write : against_reads(load(reads_[piece]), visit);
   });
 }
 

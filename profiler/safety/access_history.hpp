@@ -7,6 +7,7 @@
 // ordered.
 
 #include <cstdint>
+#include <cstring>
 #include <optional>
 
 #include "profiler/safety/group_clock.hpp"
@@ -24,6 +25,13 @@ struct Visit {
   bool ordered = false;  // atomic, or ordered like one
 };
 
+// What a write finds and what it leaves.
+struct WrittenValues {
+  const void* before = nullptr;
+  const void* after = nullptr;  // null: of an atomic, not known
+  bool same(std::size_t bytes) const { return after != nullptr && std::memcmp(before, after, bytes) == 0; }
+};
+
 struct RaceFound {
   std::uint32_t item = 0;  // of the other; 0: one of several that read
   std::uint32_t site = 0;
@@ -35,15 +43,16 @@ class AccessHistory {
   static constexpr std::uint32_t unknown_site = 0x7FFF;  // and above, of kernels with so many
 
   // Of `bytes` bytes in pieces of `granule` (a power of two, at most 16), which no access is smaller than.
-  // Races between the components of vectors of `vector_bytes` are looked for, too; 0: none. `concurrent`:
-  // several threads visit. `per_group`: what another work-group did is forgotten, as with shared memory.
-  AccessHistory(std::uint64_t bytes, std::uint32_t granule, std::uint32_t vector_bytes, bool concurrent,
-                bool per_group);
+  // Races between the components of vectors of `vector_bytes` are looked for, too; 0: none. `has_reads`:
+  // whether read() will be called. `concurrent`: several threads visit. `per_group`: what another work-group
+  // did is forgotten, as with shared memory.
+  AccessHistory(std::uint64_t bytes, std::uint32_t granule, std::uint32_t vector_bytes, bool has_reads,
+                bool concurrent, bool per_group);
 
-  // Of an access to [offset, offset + bytes), a power of two of bytes and aligned to that. `same_value`: the
-  // bytes are what they were, so that another plain write does no harm.
+  // Of an access to [offset, offset + bytes), a power of two of bytes and aligned to that. A plain write of
+  // the bytes that are there does no harm to another one.
   std::optional<RaceFound> write(std::uint64_t offset, std::uint32_t bytes, const Visit& visit,
-                                 bool same_value);
+                                 const WrittenValues& values);
   std::optional<RaceFound> read(std::uint64_t offset, std::uint32_t bytes, const Visit& visit);
   // Whether the visitor's group has written all of it.
   bool written_by_group(std::uint64_t offset, std::uint32_t bytes, const Visit& visit) const;
@@ -63,7 +72,7 @@ class AccessHistory {
   std::uint32_t shift_;  // log2 of the granule
   std::uint32_t vector_bytes_;
   std::uint64_t bytes_;
-  bool concurrent_, per_group_;
+  bool has_reads_, concurrent_, per_group_;
   ZeroPages<Cell> writes_, reads_;  // [pieces]; 0: nobody yet
 };
 

@@ -74,7 +74,7 @@ void LaunchMemory::group_overlapping() {
 
 // A history where some access writes and not all are atomics.
 void LaunchMemory::prepare(MemoryState& state, const TranslatedKernel& kernel, bool concurrent) const {
-  bool written = false, all_ordered = true;
+  bool written = false, read = false, all_ordered = true;
   std::uint32_t granule = largest_access, vector_bytes = 0;
   for (const MemoryRegion& region : regions_)
     if (region.state == &state) vector_bytes = std::max(vector_bytes, region.vector_bytes);
@@ -83,13 +83,14 @@ void LaunchMemory::prepare(MemoryState& state, const TranslatedKernel& kernel, b
         site.object == AccessSite::any_object ? may_be_global(site) : regions_[site.object].state == &state;
     if (!touches) continue;
     written |= site.kind != AccessKind::load;
+    read |= site.kind == AccessKind::load;
     all_ordered &= site.ordered;
     granule = std::min<std::uint32_t>(granule, site.bytes);
   }
   // Where fences order work-groups, atomics show when.
   if (written && (!all_ordered || kernel.memory.has_fence))
-    state.history =
-        std::make_unique<AccessHistory>(state.end - state.begin, granule, vector_bytes, concurrent, false);
+    state.history = std::make_unique<AccessHistory>(state.end - state.begin, granule, vector_bytes, read,
+                                                    concurrent, false);
 }
 
 const MemoryRegion* LaunchMemory::find(std::uint64_t address) const {

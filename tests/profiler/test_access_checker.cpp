@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sstream>
 
 #include "tests/profiler/checked_launch.hpp"
 #include "tests/profiler/ptx_text.hpp"
@@ -206,6 +207,25 @@ TEST_F(AccessChecker, PointersToSeveralBuffers) {
   EXPECT_EQ(a_[1], 3);
   EXPECT_EQ(b_[2], 3);
   EXPECT_EQ(a_[37], 5);
+}
+
+// What printf is given is the kernel's, too.
+TEST_F(AccessChecker, PrintsThroughWildPointers) {
+  const auto executable = Executable::compile(ptx_module(R"(
+.extern .func (.param .b32 done) vprintf(.param .b64 format, .param .b64 arguments);
+.global .align 1 .b8 text[7] = {37, 115, 32, 37, 100, 33, 0};
+.entry k() { .local .align 8 .b8 packed[8]; .reg .b64 %d<4>; .reg .b32 %r<1>;
+.param .b64 p0; .param .b64 p1; .param .b32 back;
+mov.u64 %d0, text; mov.u64 %d1, packed; mov.u64 %d2, 0x123456; st.local.u64 [packed], %d2;
+st.param.b64 [p0+0], %d0; st.param.b64 [p1+0], %d1; call.uni (back), vprintf, (p0, p1);
+st.param.b64 [p0+0], %d2; call.uni (back), vprintf, (p0, p1);
+ret; })"),
+                                              "k", TraceMode::blocks, "k.ptx", Checks::on);
+  std::ostringstream printed;
+  ProfileOptions options;
+  options.printed = &printed;
+  profile_launch(*executable, line_of(1, 1), {}, "", options);
+  EXPECT_EQ(printed.str(), "(no text) %d!(no text)");
 }
 
 TEST_F(AccessChecker, DivisionsGoOn) {
