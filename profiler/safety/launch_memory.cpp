@@ -8,8 +8,10 @@ namespace {
 // No device loads or stores more at once.
 constexpr std::uint32_t largest_access = 16;
 
+// Constant buffers lie in global memory, so that either kind of access may reach either.
 bool may_be_global(const AccessSite& site) {
-  return site.space == AccessSpace::generic || site.space == AccessSpace::global;
+  return site.space == AccessSpace::generic || site.space == AccessSpace::global ||
+         site.space == AccessSpace::constant;
 }
 
 }  // namespace

@@ -228,6 +228,21 @@ ret; })"),
   EXPECT_EQ(printed.str(), "(no text) %d!(no text)");
 }
 
+// Found by mutated PTX: constant loads of memory that is written, through a pointer that may be any.
+TEST_F(AccessChecker, ConstantLoadsOfWrittenMemory) {
+  const auto executable = Executable::compile(
+      ptx_module(R"(.entry k(.param .u64 .ptr .global out, .param .u64 .ptr .global other) {
+.reg .b64 %d<3>; .reg .b32 %r<2>; .reg .pred %p<1>;
+ld.param.u64 %d0, [out]; ld.param.u64 %d1, [other]; mov.u32 %r0, %tid.x;
+st.global.u32 [%d0], %r0;
+setp.eq.u32 %p0, %r0, 7; selp.b64 %d2, %d1, %d0, %p0;
+ld.const.u32 %r1, [%d2];
+ret; })"),
+      "k", TraceMode::blocks, "k.ptx", Checks::on);
+  EXPECT_THAT(findings(run_checked(*executable, line_of(2, 2), {a(), b()})),
+              ElementsAre(HasSubstr("PTX line 7: data_race: store of 4 bytes to global memory, 'out'")));
+}
+
 TEST_F(AccessChecker, DivisionsGoOn) {
   const auto counters = run_checked(R"(kernel void k(global int* a, global int* b) {
   int i = get_global_id(0);
