@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "profiler/build_options.hpp"
+#include "profiler/constant_padding.hpp"
 #include "profiler/embedded_builtins.hpp"
 #include "profiler/embedded_prelude.hpp"
 #include "profiler/kernel_declaration.hpp"
@@ -65,16 +66,21 @@ constexpr const char* builtins_name = "builtins.bc";
 // The pinned pipeline. Loops are unrolled whole where their count is a small constant, which frees arrays
 // from local memory, and in no other way: copies of a loop's body would part what the source has as one
 // branch.
-std::vector<std::string> pinned_options(bool exact_division) {
-  return {"-x", "cl", "-cl-std=CL1.2", "-target", "nvptx64-nvidia-nvcl", "-Xclang", "-target-cpu", "-Xclang",
-          "sm_70", "-Xclang", extensions, "-Wno-linker-warnings", "-O2", "-gdwarf-4",
-          "-gline-directives-only", "-fdebug-compilation-dir=.", "-fno-crash-diagnostics", "-mllvm",
-          "-unroll-runtime=false", "-mllvm", "-unroll-allow-partial=false",
+std::vector<std::string> pinned_options() {
+  return {"-x", "cl", "-cl-std=CL1.2", "-Xclang", extensions, "-Wno-linker-warnings", "-gdwarf-4",
+          "-gline-directives-only", "-fdebug-compilation-dir=.", "-mllvm", "-unroll-runtime=false", "-mllvm",
+          "-unroll-allow-partial=false",
           // Devices' compilers put every function in place.
-          "-mllvm", "-inline-threshold=1000000",
+          "-mllvm", "-inline-threshold=1000000"};
+}
+
+// Those that the code generator needs, too.
+std::vector<std::string> code_options(bool exact_division) {
+  return {"-target", "nvptx64-nvidia-nvcl", "-Xclang", "-target-cpu", "-Xclang", "sm_70", "-O2",
+          "-fno-crash-diagnostics",
           // OpenCL's accuracy of float division, 2.5 ulp, lets it be div.full; else IEEE's.
           "-mllvm", exact_division ? "-nvptx-prec-divf32=2" : "-nvptx-prec-divf32=1", "-mllvm",
-          exact_division ? "-nvptx-prec-sqrtf32=1" : "-nvptx-prec-sqrtf32=0", "-S"};
+          exact_division ? "-nvptx-prec-sqrtf32=1" : "-nvptx-prec-sqrtf32=0"};
 }
 
 // `#line 1 "name"`, so that messages and line tables speak of the caller's file.
@@ -147,6 +153,25 @@ std::string run_clang(std::string_view source, std::string_view source_name,
   return read_text(output_file);
 }
 
+// Whether initial values of variables stand in the PTX.
+bool has_initial_values(std::string_view ptx) { return ptx.find("] = {") != std::string_view::npos; }
+
+// The PTX of optimised bitcode: the code generator alone.
+std::string generate_ptx(std::string_view bitcode, std::string_view source_name,
+                         const std::vector<std::string>& options) {
+  const TemporaryFolder folder;
+  const std::string input_file = folder.path() / "kernel.bc";
+  const std::string output_file = folder.path() / "kernel.ptx";
+  write_text(input_file, bitcode);
+  std::vector<std::string> arguments{compiler().program, "-x", "ir"};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  arguments.insert(arguments.end(), {"-Xclang", "-disable-llvm-passes", "-S", "-o", output_file, input_file});
+  const ProcessResult result = run_process(arguments);
+  if (result.exit_status != 0)
+    throw InputError(fmt::format("{}: it does not compile\n{}", source_name, failure_text(result)));
+  return read_text(output_file);
+}
+
 }  // namespace
 
 CompiledPtx compile_opencl(std::string_view source, std::string_view source_name,
@@ -154,14 +179,24 @@ CompiledPtx compile_opencl(std::string_view source, std::string_view source_name
   const std::vector<std::string> user_options = split_build_options(build_options);
   const bool exact_division = std::find(user_options.begin(), user_options.end(),
                                         "-cl-fp32-correctly-rounded-divide-sqrt") != user_options.end();
-  std::vector<std::string> options = pinned_options(exact_division);
+  const std::vector<std::string> of_code = code_options(exact_division);
+  std::vector<std::string> options = pinned_options();
+  options.insert(options.end(), of_code.begin(), of_code.end());
   if (exact_division) options.emplace_back("-DWARPGRAIN_EXACT_SQUARE_ROOT");
   append_user_options(options, user_options, source_name);
 
   CompiledPtx compiled;
-  compiled.ptx = run_clang(source, source_name, options, true);
+  const auto compile_to = [&](std::initializer_list<const char*> output) {
+    std::vector<std::string> all = options;
+    all.insert(all.end(), output.begin(), output.end());
+    return run_clang(source, source_name, all, true);
+  };
+  compiled.ptx = compile_to({"-S"});
+  if (has_initial_values(compiled.ptx))
+    if (const auto padded = pad_vectors_of_three(compile_to({"-emit-llvm", "-c"})))
+      compiled.ptx = generate_ptx(*padded, source_name, of_code);
   compiled.compiler = compiler().version;
-  compiled.command = fmt::format("clang {} {} -include opencl_prelude.cl", fmt::join(options, " "),
+  compiled.command = fmt::format("clang {} -S {} -include opencl_prelude.cl", fmt::join(options, " "),
                                  fmt::join(library_options(builtins_name), " "));
   return compiled;
 }
