@@ -13,10 +13,10 @@
 #include <utility>
 
 #include "core/parallel_ranges.hpp"
-#include "profiler/device_buffer.hpp"
 #include "profiler/element_type.hpp"
 #include "profiler/kernel_declaration.hpp"
 #include "profiler/opencl_frontend.hpp"
+#include "variants/simulator_arrays.hpp"
 
 namespace warpgrain {
 namespace {
@@ -30,7 +30,7 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-class SimulatedDevice : public SimtDevice {
+class SimulatedDevice : public OverSimulatorArrays<SimtDevice> {
  public:
   SimulatedDevice(profiler::TraceMode mode, profiler::Checks checks, unsigned threads)
       : mode_(mode),
@@ -46,33 +46,13 @@ class SimulatedDevice : public SimtDevice {
     }
   }
 
-  void allocate(DeviceArray array, std::size_t bytes) override {
-    buffers_[array] = profiler::DeviceBuffer(bytes);
-  }
-  void write(DeviceArray array, std::span<const std::byte> bytes) override {
-    std::ranges::copy(bytes, buffers_[array].bytes().begin());
-  }
-  void read(DeviceArray array, std::span<std::byte> bytes) override {
-    std::ranges::copy(buffers_[array].bytes().first(bytes.size()), bytes.begin());
-  }
-  void swap(DeviceArray first, DeviceArray second) override { std::swap(buffers_[first], buffers_[second]); }
-
   void launch(const KernelLaunch& launch) override {
     CompiledKernel& kernel = compiled(launch);
-    LaunchShape shape;
-    shape.global_size[0] = launch.global_size;
-    shape.local_size[0] = static_cast<std::uint32_t>(launch.local_size);
-    std::vector<KernelArgument> arguments;
-    for (const LaunchArgument& argument : launch.arguments) {
-      const std::size_t index = arguments.size();
-      if (const auto* array = std::get_if<DeviceArray>(&argument)) {
-        arguments.push_back(KernelArgument::buffer(buffers_[*array].bytes()));
-      } else {
-        arguments.push_back(KernelArgument::scalar(std::get<std::vector<std::byte>>(argument)));
-      }
-      if (index >= kernel.parameters.size()) continue;
-      arguments.back().name = kernel.parameters[index].name;
-      arguments.back().vector_bytes = profiler::vector_bytes_of_parameter(kernel.parameters[index].type);
+    const LaunchShape shape = shape_of(launch);
+    std::vector<KernelArgument> arguments = arguments_of(launch);
+    for (std::size_t i = 0; i < std::min(arguments.size(), kernel.parameters.size()); ++i) {
+      arguments[i].name = kernel.parameters[i].name;
+      arguments[i].vector_bytes = profiler::vector_bytes_of_parameter(kernel.parameters[i].type);
     }
     const auto begin = std::chrono::steady_clock::now();
     if (profile_options_) {
@@ -158,7 +138,6 @@ class SimulatedDevice : public SimtDevice {
   profiler::Checks checks_;
   unsigned threads_;
   std::vector<Unit> units_;
-  PerArray<profiler::DeviceBuffer> buffers_;
   std::vector<KernelTiming> timings_;
   std::optional<profiler::ProfileOptions> profile_options_;
   std::vector<LaunchProfile> profiles_;

@@ -10,44 +10,24 @@
 
 #ifdef WARPGRAIN_HAS_SIMULATOR
 
-#include "profiler/device_buffer.hpp"
 #include "profiler/opencl_frontend.hpp"
 #include "tests/profiler/oracle/comparison.hpp"
+#include "variants/simulator_arrays.hpp"
 
 namespace warpgrain {
 namespace {
 
 // Runs launches in both. The arrays go on as the simulator leaves them.
-class ComparedDevice : public ComputeDevice {
+class ComparedDevice : public OverSimulatorArrays<ComputeDevice> {
  public:
   void build(const std::vector<SourceUnit>& units) override {
     for (const SourceUnit& unit : units)
       ptx_.push_back(profiler::compile_opencl(unit.text, "kernels", unit.build_options).ptx);
   }
-  void allocate(DeviceArray array, std::size_t bytes) override {
-    buffers_[array] = profiler::DeviceBuffer(bytes);
-  }
-  void write(DeviceArray array, std::span<const std::byte> bytes) override {
-    std::ranges::copy(bytes, buffers_[array].bytes().begin());
-  }
-  void read(DeviceArray array, std::span<std::byte> bytes) override {
-    std::ranges::copy(buffers_[array].bytes().first(bytes.size()), bytes.begin());
-  }
-  void swap(DeviceArray first, DeviceArray second) override { std::swap(buffers_[first], buffers_[second]); }
 
   void launch(const KernelLaunch& launch) override {
-    profiler::LaunchShape shape;
-    shape.global_size[0] = launch.global_size;
-    shape.local_size[0] = static_cast<std::uint32_t>(launch.local_size);
-    std::vector<profiler::KernelArgument> arguments;
-    for (const LaunchArgument& argument : launch.arguments) {
-      if (const auto* array = std::get_if<DeviceArray>(&argument)) {
-        arguments.push_back(profiler::KernelArgument::buffer(buffers_[*array].bytes()));
-      } else {
-        arguments.push_back(profiler::KernelArgument::scalar(std::get<std::vector<std::byte>>(argument)));
-      }
-    }
-    const auto found = oracle::differences(ptx_[launch.unit], launch.kernel, shape, arguments);
+    const auto found =
+        oracle::differences(ptx_[launch.unit], launch.kernel, shape_of(launch), arguments_of(launch));
     EXPECT_TRUE(found.empty()) << launch.kernel << ":\n" << fmt::format("{}", fmt::join(found, "\n"));
   }
 
@@ -57,7 +37,6 @@ class ComparedDevice : public ComputeDevice {
 
  private:
   std::vector<std::string> ptx_;
-  PerArray<profiler::DeviceBuffer> buffers_;
 };
 
 std::vector<Variant> lockstep_variants() {
