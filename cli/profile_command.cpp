@@ -39,7 +39,6 @@ struct Options {
 // The PTX goes beside the JSON.
 reports::Report report_of(std::span<const profiler::LaunchProfile> launches, const Options& options) {
   reports::Report report = reports::make_report(launches, command_line());
-  report.machine = options.simulator.load_machine();
   const std::string& json = options.output.json;
   if (!json.empty() && json != "-") reports::keep_ptx(report, launches, json);
   return report;
@@ -72,8 +71,10 @@ int profile(const Options& options) {
     throw_input_error("warpgrain profile",
                       options.launch.empty() ? "nothing to profile" : "both a launch file and --scene",
                       "either a launch file (.sim) or --scene FILE|NAME");
-  const reports::Report report =
+  const auto machine = options.simulator.load_machine();  // before the run: a wrong name costs nothing
+  reports::Report report =
       options.launch.empty() ? profile_scene(options, how, progress) : profile_launch_file(options, how);
+  report.machine = machine;
   progress.clear();
   if (!options.output.json.empty()) write_output(options.output.json, reports::report_json(report));
   if (!options.html.empty()) write_output(options.html, reports::report_page(report));
