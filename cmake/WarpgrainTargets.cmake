@@ -12,6 +12,13 @@ if(WARPGRAIN_SANITIZE)
   target_link_options(warpgrain_options INTERFACE -fsanitize=${WARPGRAIN_SANITIZE})
 endif()
 
+# Most of a clean build is reading headers, so several sources go to the compiler as one (-DCMAKE_UNITY_BUILD=OFF for
+# work on single files). Names in a library's unnamed namespaces therefore differ.
+if(NOT DEFINED CMAKE_UNITY_BUILD)
+  set(CMAKE_UNITY_BUILD ON)
+endif()
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
+
 function(warpgrain_library name)
   cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")

@@ -14,8 +14,8 @@
 namespace warpgrain::profiler {
 namespace {
 
-constexpr std::array<std::string_view, 10> names{"char", "uchar", "short", "ushort", "int",
-                                                 "uint", "long",  "ulong", "float",  "double"};
+constexpr std::array<std::string_view, 10> type_names{"char", "uchar", "short", "ushort", "int",
+                                                      "uint", "long",  "ulong", "float",  "double"};
 
 // Calls `function` with a value of the C++ type that stands for `type`.
 template <typename Function>
@@ -79,18 +79,18 @@ std::size_t element_size(ElementType type) {
   return with_type(type, [](auto value) { return sizeof value; });
 }
 
-std::string_view element_name(ElementType type) { return names[static_cast<std::size_t>(type)]; }
+std::string_view element_name(ElementType type) { return type_names[static_cast<std::size_t>(type)]; }
 
-std::span<const std::string_view> element_names() { return names; }
+std::span<const std::string_view> element_names() { return type_names; }
 
 std::optional<ElementType> element_type_of(std::string_view name) {
   const std::size_t digits = name.find_first_of("0123456789");
   const std::string_view width = digits == std::string_view::npos ? "2" : name.substr(digits);
   constexpr std::array<std::string_view, 5> widths{"2", "3", "4", "8", "16"};
-  const auto found = std::find(names.begin(), names.end(), name.substr(0, digits));
-  if (found == names.end() || std::find(widths.begin(), widths.end(), width) == widths.end())
+  const auto found = std::find(type_names.begin(), type_names.end(), name.substr(0, digits));
+  if (found == type_names.end() || std::find(widths.begin(), widths.end(), width) == widths.end())
     return std::nullopt;
-  return static_cast<ElementType>(found - names.begin());
+  return static_cast<ElementType>(found - type_names.begin());
 }
 
 std::optional<ElementType> element_type_of_parameter(std::string_view declared) {

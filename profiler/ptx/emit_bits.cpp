@@ -147,12 +147,12 @@ void emit_bfi(Emitter& e) {
   e.write(e.ir.CreateOr(e.ir.CreateAnd(base, e.ir.CreateNot(mask)), inserted), type);
 }
 
-const ScalarType u32{ScalarType::Kind::unsigned_integer, 32};
+const ScalarType word{ScalarType::Kind::unsigned_integer, 32};
 
 void emit_popc(Emitter& e) {
   const ScalarType type = e.take_type(Emitter::Types::integer);
   Value* count = e.call_intrinsic(llvm::Intrinsic::ctpop, e.type(type), {e.read(1, type)});
-  e.write(e.ir.CreateZExtOrTrunc(count, e.ir.getInt32Ty()), u32);
+  e.write(e.ir.CreateZExtOrTrunc(count, e.ir.getInt32Ty()), word);
 }
 
 Value* leading_zeros(Emitter& e, Value* value) {
@@ -162,7 +162,7 @@ Value* leading_zeros(Emitter& e, Value* value) {
 
 void emit_clz(Emitter& e) {
   const ScalarType type = e.take_type(Emitter::Types::integer);
-  e.write(leading_zeros(e, e.read(1, type)), u32);
+  e.write(leading_zeros(e, e.read(1, type)), word);
 }
 
 // The highest bit that is not the sign; all ones when there is none. .shiftamt counts from the top.
@@ -175,7 +175,7 @@ void emit_bfind(Emitter& e) {
     value = e.ir.CreateSelect(e.ir.CreateICmpSLT(value, zero), e.ir.CreateNot(value), value);
   Value* zeros = leading_zeros(e, value);
   Value* found = from_top ? zeros : e.ir.CreateSub(e.ir.getInt32(type.bits - 1u), zeros);
-  e.write(e.ir.CreateSelect(e.ir.CreateICmpEQ(value, zero), e.ir.getInt32(~0u), found), u32);
+  e.write(e.ir.CreateSelect(e.ir.CreateICmpEQ(value, zero), e.ir.getInt32(~0u), found), word);
 }
 
 void emit_brev(Emitter& e) {

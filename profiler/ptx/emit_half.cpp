@@ -135,7 +135,7 @@ void emit_min(Emitter& e) { emit_extremum(e, true); }
 void emit_max(Emitter& e) { emit_extremum(e, false); }
 
 // ex2.approx.f16, tanh.approx.f16
-void emit_host_function(Emitter& e) {
+void emit_half_host_function(Emitter& e) {
   emit_elements(e, [&](const HalfOperation& half, unsigned i) {
     Value* x = e.ir.CreateFPExt(half.input(1, i), e.ir.getFloatTy());
     Value* y = e.call_host("warpgrain_" + e.statement().opcode, e.ir.getFloatTy(), {x});
@@ -147,11 +147,16 @@ void emit_host_function(Emitter& e) {
 
 const InstructionTable& half_instructions() {
   static const InstructionTable table{
-      {"add", emit_add},           {"sub", emit_sub},
-      {"mul", emit_mul},           {"fma", emit_fma},
-      {"neg", emit_neg},           {"abs", emit_abs},
-      {"min", emit_min},           {"max", emit_max},
-      {"ex2", emit_host_function}, {"tanh", emit_host_function},
+      {"add", emit_add},
+      {"sub", emit_sub},
+      {"mul", emit_mul},
+      {"fma", emit_fma},
+      {"neg", emit_neg},
+      {"abs", emit_abs},
+      {"min", emit_min},
+      {"max", emit_max},
+      {"ex2", emit_half_host_function},
+      {"tanh", emit_half_host_function},
   };
   return table;
 }

@@ -51,7 +51,7 @@ bool take_wraps(Emitter& e) {
 }
 
 // `count` low ones in 64 bits, count up to 32
-Value* low_ones(Emitter& e, Value* count) {
+Value* ones_below(Emitter& e, Value* count) {
   Value* power = e.ir.CreateShl(e.ir.getInt64(1), e.ir.CreateZExt(count, e.ir.getInt64Ty()));
   return e.ir.CreateSub(power, e.ir.getInt64(1));
 }
@@ -61,7 +61,7 @@ void emit_bmsk(Emitter& e) {
   const bool wraps = take_wraps(e);
   if (e.take_type(Emitter::Types::integer).bits != 32) e.refuse("b32");
   Value* position = e.ir.CreateZExt(bit_count(e, 1, wraps), e.ir.getInt64Ty());
-  Value* mask = e.ir.CreateShl(low_ones(e, bit_count(e, 2, wraps)), position);
+  Value* mask = e.ir.CreateShl(ones_below(e, bit_count(e, 2, wraps)), position);
   e.write(e.ir.CreateTrunc(mask, e.ir.getInt32Ty()), u32);
 }
 

@@ -13,7 +13,7 @@ namespace warpgrain::profiler {
 namespace {
 
 __extension__ using Exact = __float128;  // holds every a b + c of halfs
-constexpr std::uint32_t seed = 20240602;
+constexpr std::uint32_t half_seed = 20240602;
 
 // What comes out when `value`, which is not a half, lies between the neighbours `below` and `above`.
 std::uint16_t choose(Exact value, std::uint16_t below, std::uint16_t above, HalfRounding rounding) {
@@ -80,7 +80,7 @@ TEST(Half, EveryHalfStaysItself) {
 }
 
 TEST(Half, DoublesAreRoundedOnce) {
-  std::mt19937_64 random(seed);
+  std::mt19937_64 random(half_seed);
   std::vector<double> values{65504, 65519.999, 65520, 65536, 1e300, 0x1p-25, 0x1.000001p-25, 0x1p-26, 5e-324};
   std::uniform_real_distribution<double> mantissa(1, 2);
   for (int i = 0; i < 20000; ++i) {
@@ -99,11 +99,11 @@ TEST(Half, DoublesAreRoundedOnce) {
       for (const HalfRounding rounding :
            {HalfRounding::to_nearest, HalfRounding::towards_zero, HalfRounding::down, HalfRounding::up})
         ASSERT_EQ(double_to_half(value, rounding), expected_half(value, rounding))
-            << value << " rounding " << static_cast<int>(rounding) << " seed " << seed;
+            << value << " rounding " << static_cast<int>(rounding) << " half_seed " << half_seed;
 }
 
 TEST(Half, FusedMultiplyAddIsRoundedOnce) {
-  std::mt19937_64 random(seed);
+  std::mt19937_64 random(half_seed);
   for (int i = 0; i < 100000; ++i) {
     const auto any = [&] { return static_cast<std::uint16_t>(random() % 0x7c00 | (random() & 0x8000)); };
     const std::uint16_t a = any(), b = any();
@@ -113,7 +113,7 @@ TEST(Half, FusedMultiplyAddIsRoundedOnce) {
     const Exact exact = Exact(to_double(a)) * to_double(b) + to_double(c);
     if (exact == 0 || std::isinf(to_double(c))) continue;
     ASSERT_EQ(fma_half(a, b, c), expected_half(exact, HalfRounding::to_nearest))
-        << std::hex << a << ' ' << b << ' ' << c << " seed " << std::dec << seed;
+        << std::hex << a << ' ' << b << ' ' << c << " half_seed " << std::dec << half_seed;
   }
 }
 

@@ -15,7 +15,7 @@
 namespace warpgrain::profiler {
 namespace {
 
-constexpr std::uint32_t seed = 20240603;
+constexpr std::uint32_t fuzz_seed = 20240603;
 
 class DamagedLaunchFiles : public testing::Test {
  protected:
@@ -79,8 +79,8 @@ TEST_F(DamagedLaunchFiles, CutAnywhere) {
 }
 
 TEST_F(DamagedLaunchFiles, BytesChangedAddedAndLost) {
-  std::mt19937 random(seed);
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  std::mt19937 random(fuzz_seed);
+  SCOPED_TRACE(testing::Message() << "fuzz_seed " << fuzz_seed);
   const std::string likely = "<>#=: \n\t\0-+.x0159efNaninf\xff\x80";
   for (int i = 0; i < 4000; ++i) {
     std::string text = good_;
