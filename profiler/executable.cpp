@@ -9,6 +9,7 @@
 #include "profiler/jit.hpp"
 #include "profiler/kernel_name.hpp"
 #include "profiler/launch_check.hpp"
+#include "profiler/opencl_frontend.hpp"
 #include "profiler/ptx/graph_builder.hpp"
 #include "profiler/ptx/inline_calls.hpp"
 #include "profiler/ptx/parser.hpp"
@@ -53,7 +54,7 @@ class RefusingRunner final : public WorkGroupRunner {
 class NativeExecutable final : public Executable {
  public:
   NativeExecutable(const ptx::Module& module, const ptx::Function& entry, TraceMode mode, Checks checks,
-                   std::string_view where) {
+                   std::string_view where, bool takes_smaller_groups) {
     const ptx::Function kernel = ptx::inline_calls(module, entry, where);
     const std::vector<ptx::Block> blocks = ptx::cut_blocks(kernel, where);
     const ptx::MemoryLayout layout = ptx::lay_out(module, kernel, where);
@@ -63,6 +64,7 @@ class NativeExecutable final : public Executable {
     kernel_.graph = ptx::build_graph(module, kernel, blocks, layout);
     kernel_.graph.kernel = readable_kernel_name(kernel.name);
     kernel_.is_opencl = module.is_opencl;
+    kernel_.takes_smaller_groups = takes_smaller_groups;
     note_signature(kernel, layout);
     note_lines(kernel, blocks);
     ptx::Instrumentation instrumentation{mode, checks, note_loops(kernel, blocks)};
@@ -162,7 +164,8 @@ std::unique_ptr<Executable> Executable::compile(std::string_view ptx, std::strin
                                                 std::string_view where, Checks checks) {
   const ptx::Module module = ptx::parse(ptx, where);
   const ptx::Function* entry = module.find_entry(find_kernel(entry_names(module), kernel, where));
-  return std::make_unique<NativeExecutable>(module, *entry, mode, checks, where);
+  return std::make_unique<NativeExecutable>(module, *entry, mode, checks, where,
+                                            ptx.find(smaller_groups_mark) != std::string_view::npos);
 }
 
 std::unique_ptr<WorkGroupRunner> Executable::runner(const LaunchShape& shape,

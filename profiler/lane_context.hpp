@@ -1,9 +1,11 @@
 #pragma once
 // What translated code knows of the lane it runs: the layout is part of the code that the translator emits.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "profiler/rendezvous.hpp"
 #include "profiler/trace.hpp"
@@ -56,11 +58,15 @@ struct LaneContext {
   std::uint32_t ntid[3] = {};
   std::uint32_t ctaid[3] = {};
   std::uint32_t nctaid[3] = {};
+  std::uint32_t global_size[3] = {};  // in OpenCL's sense; the last groups may be smaller
   std::uint32_t linear_tid = 0;
   std::uint32_t work_group_size = 0;
   std::uint32_t shared_bytes = 0;
   std::uint64_t clock = 0;  // cycles that the lane believes to have run
 };
+
+// Where opencl_prelude.cl reads global_size.
+inline constexpr std::array<std::string_view, 3> global_size_registers{"%envreg29", "%envreg30", "%envreg31"};
 
 using LaneFunction = void (*)(LaneContext*);
 

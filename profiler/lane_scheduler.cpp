@@ -34,6 +34,7 @@ void LaneScheduler::run(std::span<LaneContext> lanes, LaneEvents& events) {
   lanes_ = lanes;
   events_ = &events;
   n_running_ = lanes.size();
+  warps_.resize(warps_of(lanes.size()));
   barriers_.reset();
   for (std::size_t i = 0; i < lanes.size(); ++i) fibers_.start(i, kernel_.lane, &lanes[i]);
   for (std::size_t w = 0; w < warps_.size(); ++w) {

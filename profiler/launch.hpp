@@ -1,6 +1,7 @@
 #pragma once
 // A kernel launch: its index space and its arguments.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -12,10 +13,26 @@ namespace warpgrain::profiler {
 
 struct LaunchShape {
   std::array<std::uint64_t, 3> global_size{1, 1, 1};  // work-items
-  std::array<std::uint32_t, 3> local_size{1, 1, 1};   // divides global_size
+  // The last work-groups of a dimension are smaller where it does not divide global_size (OpenCL 2.0).
+  std::array<std::uint32_t, 3> local_size{1, 1, 1};
   std::array<std::uint64_t, 3> group_count() const {
-    return {global_size[0] / local_size[0], global_size[1] / local_size[1], global_size[2] / local_size[2]};
+    std::array<std::uint64_t, 3> groups{};
+    for (std::size_t d = 0; d < 3; ++d) groups[d] = (global_size[d] + local_size[d] - 1) / local_size[d];
+    return groups;
   }
+  // The local size of one work-group.
+  std::array<std::uint32_t, 3> local_size_of(const std::array<std::uint64_t, 3>& group) const {
+    std::array<std::uint32_t, 3> size{};
+    for (std::size_t d = 0; d < 3; ++d)
+      size[d] = static_cast<std::uint32_t>(
+          std::min<std::uint64_t>(local_size[d], global_size[d] - group[d] * local_size[d]));
+    return size;
+  }
+  bool is_uniform() const {
+    return global_size[0] % local_size[0] == 0 && global_size[1] % local_size[1] == 0 &&
+           global_size[2] % local_size[2] == 0;
+  }
+  // Of the largest.
   std::uint32_t work_group_size() const { return local_size[0] * local_size[1] * local_size[2]; }
 };
 

@@ -26,11 +26,15 @@ void check_shape(const TranslatedKernel& kernel, const LaunchShape& shape) {
   for (std::size_t d = 0; d < 3; ++d) {
     const std::uint64_t global = shape.global_size[d];
     const std::uint64_t local = shape.local_size[d];
-    if (local == 0 || global == 0 || global % local != 0)
+    if (local == 0 || global == 0)
       throw_input_error(kernel.place(),
                         fmt::format("global size {} and local size {} in dimension {}", global, local, d),
-                        "sizes above 0, the global one a multiple of the local one");
-    if (global / local > std::numeric_limits<std::uint32_t>::max())
+                        "sizes above 0");
+    if (global % local != 0 && !kernel.takes_smaller_groups)
+      throw_input_error(
+          kernel.place(), fmt::format("global size {} and local size {} in dimension {}", global, local, d),
+          "a global size that the local size divides: only OpenCL C has smaller last work-groups");
+    if (global / local >= std::numeric_limits<std::uint32_t>::max())
       throw_input_error(kernel.place(), fmt::format("{} work-groups in dimension {}", global / local, d),
                         "fewer than 2^32");
     work_group *= local;

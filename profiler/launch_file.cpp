@@ -186,17 +186,10 @@ LaunchFile read_launch_file(const std::filesystem::path& path) {
   file.program = path.parent_path() / program;
   if (!std::filesystem::exists(file.program) && std::filesystem::exists(program)) file.program = program;
   file.kernel = tokens.take("the kernel's name").text;
-  const int line = tokens.at_end() ? 0 : tokens.peek().line;
   for (std::uint64_t& size : file.shape.global_size)
     size = tokens.take_size<std::uint64_t>("a global size, three numbers above 0");
   for (std::uint32_t& size : file.shape.local_size)
     size = tokens.take_size<std::uint32_t>("a local size, three numbers above 0");
-  for (std::size_t d = 0; d < 3; ++d)
-    if (file.shape.global_size[d] % file.shape.local_size[d] != 0)
-      throw_input_error(tokens.where(line),
-                        fmt::format("global size {} and local size {} in dimension {}",
-                                    file.shape.global_size[d], file.shape.local_size[d], d),
-                        "a global size that the local size divides");
   while (!tokens.at_end()) file.arguments.push_back(take_argument(tokens, path.parent_path()));
   return file;
 }

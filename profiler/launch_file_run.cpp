@@ -60,7 +60,11 @@ LaunchFileResult profile_launch_file(const LaunchFile& file, const std::string& 
   const Clock::time_point compile_begin = Clock::now();
   std::vector<ParameterDeclaration> declared;
   const Language language = language_of(file);
-  compile(language, build_options, profile);
+  const std::string options_of_shape =
+      language == Language::opencl && !file.shape.is_uniform()
+          ? fmt::format("{}{}{}", build_options, build_options.empty() ? "" : " ", smaller_groups_option)
+          : build_options;
+  compile(language, options_of_shape, profile);
   const TraceMode mode = options.addresses ? TraceMode::blocks_and_addresses : TraceMode::blocks;
   const auto executable =
       Executable::compile(profile.ptx, file.kernel, mode, profile.source_name, options.checks);

@@ -195,6 +195,8 @@ CompiledPtx compile_opencl(std::string_view source, std::string_view source_name
   if (has_initial_values(compiled.ptx))
     if (const auto padded = pad_vectors_of_three(compile_to({"-emit-llvm", "-c"})))
       compiled.ptx = generate_ptx(*padded, source_name, of_code);
+  if (std::ranges::find(user_options, smaller_groups_option) != user_options.end())
+    compiled.ptx.insert(0, fmt::format("{}\n", smaller_groups_mark));
   compiled.compiler = compiler().version;
   compiled.command = fmt::format("clang {} -S {} -include opencl_prelude.cl", fmt::join(options, " "),
                                  fmt::join(library_options(builtins_name), " "));

@@ -13,6 +13,13 @@ struct CompiledPtx {
   std::string command;   // its options, the pinned pass pipeline among them; part of the report's provenance
 };
 
+// Stands in the PTX of a program that was compiled for launches whose last work-groups are smaller: its sizes
+// of index spaces are the simulator's to give, and no device's.
+inline constexpr std::string_view smaller_groups_mark = "// smaller last work-groups";
+
+// The build option that asks for it.
+inline constexpr std::string_view smaller_groups_option = "-DWARPGRAIN_SMALLER_GROUPS";
+
 // Compiles OpenCL C 1.2 text. `source_name` is the file that lines are counted in until a #line says
 // otherwise; `build_options` are the user's, as for clBuildProgram. Throws InputError with clang's own
 // message (file and line), or with what is missing when there is no clang 15 or no libclc.

@@ -92,9 +92,30 @@ WARPGRAIN_VECTORS_OF_1(warpgrain_rsqrt, half)
 #define get_global_offset(dimension) ((size_t)0)
 #define mad_hi(a, b, c) ((__typeof__(mul_hi(a, b)))(mul_hi(a, b) + (c)))
 
+// Launches whose last work-groups are smaller: %ntid is the enqueued size, and the simulator gives the global size.
+#ifdef WARPGRAIN_SMALLER_GROUPS
+WARPGRAIN_INLINE size_t warpgrain_global_size(uint dimension) {
+  uint x = 1;
+  if (dimension == 0) __asm__("mov.u32 %0, %%envreg29;" : "=r"(x));
+  if (dimension == 1) __asm__("mov.u32 %0, %%envreg30;" : "=r"(x));
+  if (dimension == 2) __asm__("mov.u32 %0, %%envreg31;" : "=r"(x));
+  return x;
+}
+WARPGRAIN_INLINE size_t warpgrain_enqueued_local_size(uint dimension) { return get_local_size(dimension); }
+WARPGRAIN_INLINE size_t warpgrain_local_size(uint dimension) {
+  const size_t enqueued = get_local_size(dimension);
+  return min(enqueued, warpgrain_global_size(dimension) - get_group_id(dimension) * enqueued);
+}
+#define get_global_size(dimension) warpgrain_global_size(dimension)
+#define get_local_size(dimension) warpgrain_local_size(dimension)
+#define get_enqueued_local_size(dimension) warpgrain_enqueued_local_size(dimension)
+#endif
+
 // What OpenCL C 2.0 adds of such functions.
 #if __OPENCL_C_VERSION__ >= 200
+#ifndef WARPGRAIN_SMALLER_GROUPS
 #define get_enqueued_local_size(dimension) get_local_size(dimension)
+#endif
 #define get_local_linear_id() \
   ((get_local_id(2) * get_local_size(1) + get_local_id(1)) * get_local_size(0) + get_local_id(0))
 #define get_global_linear_id() \

@@ -25,6 +25,7 @@ struct TranslatedKernel {
   std::vector<std::uint32_t> parameter_offsets;  // [parameters]
   std::uint32_t parameter_bytes = 0;
   bool is_opencl = false;             // whose rules for barriers hold
+  bool takes_smaller_groups = false;  // as the last of a dimension; see smaller_groups_mark
   std::uint32_t local_bytes = 0;      // .local memory of a lane
   std::uint32_t frame_bytes = 0;      // at most what the native code keeps on its stack
   MemoryFacts memory;                 // empty: unchecked

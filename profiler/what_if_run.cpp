@@ -145,6 +145,9 @@ WhatIfRun::WhatIfRun(const KernelGraph& graph, const LaunchShape& shape, const S
         if (!key && setting.skip_unknown_keys) continue;
         if (!key) throw_unknown_thread_key(graph, source, question.order.key);
       }
+      if (!shape.is_uniform())
+        throw_input_error("--what-if order", "a launch whose last work-groups are smaller",
+                          "a global size that the local size divides");
       orders_.push_back({question.order, std::move(key), {}, {}});
       order = orders_.end() - 1;
     }

@@ -45,7 +45,8 @@ GroupRunner::GroupRunner(LaunchMonitor& monitor)
     : monitor_(monitor),
       kernel_(monitor.kernel()),
       shape_(monitor.shape()),
-      lanes_(shape_.work_group_size()),
+      all_lanes_(shape_.work_group_size()),
+      lanes_(all_lanes_),
       traces_(shape_.work_group_size()) {
   const std::vector<std::size_t> shared_offsets = profiler::shared_offsets(kernel_, monitor.arguments());
   shared_.emplace(shared_offsets.back());
@@ -62,7 +63,7 @@ GroupRunner::GroupRunner(LaunchMonitor& monitor)
   const bool in_turns = graph.has_barrier || graph.has_warp_level;
   if (kernel_.local_bytes > 0) local_.emplace(in_turns ? lanes_.size() : 1, kernel_.local_bytes);
   if (in_turns) scheduler_.emplace(kernel_, lanes_.size(), base_stack_bytes + kernel_.frame_bytes);
-  for (std::size_t i = 0; i < lanes_.size(); ++i) place_lane(i);
+  place_lanes(shape_.local_size);
 }
 
 void GroupRunner::lay_out_parameters(std::span<const std::size_t> shared_offsets) {
@@ -82,6 +83,12 @@ void GroupRunner::lay_out_parameters(std::span<const std::size_t> shared_offsets
   }
 }
 
+void GroupRunner::place_lanes(const std::array<std::uint32_t, 3>& local_size) {
+  local_size_ = local_size;
+  lanes_ = std::span(all_lanes_).first(std::size_t{local_size[0]} * local_size[1] * local_size[2]);
+  for (std::size_t i = 0; i < lanes_.size(); ++i) place_lane(i);
+}
+
 void GroupRunner::place_lane(std::size_t index) {
   LaneContext& lane = lanes_[index];
   lane.parameters = parameters_.data();
@@ -91,14 +98,14 @@ void GroupRunner::place_lane(std::size_t index) {
   if (local_) lane.local = local_->lane(scheduler_ ? index : 0);
   if (checker_) checker_->place(lane);
   const auto linear = static_cast<std::uint32_t>(index);
-  const auto& local = shape_.local_size;
-  lane.tid[0] = linear % local[0];
-  lane.tid[1] = linear / local[0] % local[1];
-  lane.tid[2] = linear / local[0] / local[1];
+  lane.tid[0] = linear % local_size_[0];
+  lane.tid[1] = linear / local_size_[0] % local_size_[1];
+  lane.tid[2] = linear / local_size_[0] / local_size_[1];
   const auto groups = shape_.group_count();
   for (std::size_t d = 0; d < 3; ++d) {
-    lane.ntid[d] = local[d];
+    lane.ntid[d] = shape_.local_size[d];
     lane.nctaid[d] = static_cast<std::uint32_t>(groups[d]);
+    lane.global_size[d] = static_cast<std::uint32_t>(shape_.global_size[d]);
   }
   lane.linear_tid = linear;
   lane.work_group_size = static_cast<std::uint32_t>(lanes_.size());
@@ -138,7 +145,8 @@ std::span<const LaneTrace> GroupRunner::run(const std::array<std::uint64_t, 3>& 
   release_long_traces();
   std::ranges::fill(shared_->bytes(), std::byte{0});
   const std::uint64_t number = monitor_.number_of(group);
-  first_item_ = number * lanes_.size();
+  first_item_ = number * all_lanes_.size();
+  if (const auto local_size = shape_.local_size_of(group); local_size != local_size_) place_lanes(local_size);
   if (checker_) checker_->begin_group(number);
   for (std::size_t i = 0; i < lanes_.size(); ++i) prepare_lane(i, group);
   blocks_used_ = addresses_used_ = 0;
@@ -147,7 +155,7 @@ std::span<const LaneTrace> GroupRunner::run(const std::array<std::uint64_t, 3>& 
   } else {
     run_lanes();
   }
-  return traces_;
+  return std::span(traces_).first(lanes_.size());
 }
 
 void GroupRunner::run_lanes() {
@@ -208,12 +216,12 @@ void GroupRunner::lanes_stuck(std::size_t index, const std::string& who) {
 }
 
 void GroupRunner::release_long_traces() {
-  for (std::size_t i = 0; i < lanes_.size(); ++i) {
-    if (blocks_ && lanes_[i].trace)
+  for (std::size_t i = 0; i < all_lanes_.size(); ++i) {
+    if (blocks_ && all_lanes_[i].trace)
       blocks_->release(
-          i, static_cast<std::size_t>(reinterpret_cast<std::byte*>(lanes_[i].trace) - blocks_->lane(i)));
-    if (addresses_ && lanes_[i].addresses)
-      addresses_->release(i, static_cast<std::size_t>(reinterpret_cast<std::byte*>(lanes_[i].addresses) -
+          i, static_cast<std::size_t>(reinterpret_cast<std::byte*>(all_lanes_[i].trace) - blocks_->lane(i)));
+    if (addresses_ && all_lanes_[i].addresses)
+      addresses_->release(i, static_cast<std::size_t>(reinterpret_cast<std::byte*>(all_lanes_[i].addresses) -
                                                       addresses_->lane(i)));
   }
 }

@@ -30,7 +30,9 @@ class GroupRunner final : public WorkGroupRunner, private LaneEvents {
 
  private:
   void lay_out_parameters(std::span<const std::size_t> shared_offsets);
-  void place_lane(std::size_t lane);  // what is the same in every work-group
+  // What is the same in every work-group of a local size.
+  void place_lanes(const std::array<std::uint32_t, 3>& local_size);
+  void place_lane(std::size_t lane);
   void prepare_lane(std::size_t lane, const std::array<std::uint64_t, 3>& group);
   void limit_traces(std::size_t lane);
   void run_lanes();
@@ -44,11 +46,13 @@ class GroupRunner final : public WorkGroupRunner, private LaneEvents {
   LaunchMonitor& monitor_;
   const TranslatedKernel& kernel_;
   LaunchShape shape_;
+  std::array<std::uint32_t, 3> local_size_{};  // of the group that runs
   std::vector<std::byte> parameters_;
   std::optional<SharedMemory> shared_;
   std::string printed_;
   std::optional<AccessChecker> checker_;  // of a checked kernel
-  std::vector<LaneContext> lanes_;
+  std::vector<LaneContext> all_lanes_;    // of the largest group
+  std::span<LaneContext> lanes_;          // of the one that runs, its first
   std::vector<LaneTrace> traces_;
   std::optional<LaneBuffers> blocks_;
   std::optional<LaneBuffers> addresses_;

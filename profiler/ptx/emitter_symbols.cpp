@@ -24,7 +24,11 @@ llvm::Value* Emitter::special_register(const std::string& name) {
   if (auto* value = component("%ntid", offsetof(LaneContext, ntid))) return value;
   if (auto* value = component("%ctaid", offsetof(LaneContext, ctaid))) return value;
   if (auto* value = component("%nctaid", offsetof(LaneContext, nctaid))) return value;
-  // OpenCL's offsets: launches have none.
+  // The driver's own. OpenCL's offsets are among them, and launches have none; opencl_prelude.cl reads the
+  // global size in the last.
+  for (std::size_t d = 0; d < 3; ++d)
+    if (name == global_size_registers[d])
+      return context_field(offsetof(LaneContext, global_size) + d * sizeof(std::uint32_t), u32);
   if (name.starts_with("%envreg")) return ir.getInt32(0);
 
   const auto linear = [&] { return context_field(offsetof(LaneContext, linear_tid), u32); };

@@ -27,8 +27,11 @@ void LaunchMonitor::set_item(Diagnostic& diagnostic, std::uint64_t item) const {
   for (std::size_t d = 0; d < 3; ++d) {
     diagnostic.work_group[d] = group % groups[d];
     group /= groups[d];
-    diagnostic.work_item[d] = diagnostic.work_group[d] * shape_.local_size[d] + local % shape_.local_size[d];
-    local /= shape_.local_size[d];
+  }
+  const auto local_size = shape_.local_size_of(diagnostic.work_group);
+  for (std::size_t d = 0; d < 3; ++d) {
+    diagnostic.work_item[d] = diagnostic.work_group[d] * shape_.local_size[d] + local % local_size[d];
+    local /= local_size[d];
   }
 }
 

@@ -87,8 +87,6 @@ TEST_F(LaunchFiles, ErrorsNameFileLineAndWhatWasExpected) {
               HasSubstr("x.sim:2: 'x'; expected a global size, three numbers above 0"));
   EXPECT_THAT(error_of("k.cl k\n64 1 1\n-32 1 1\n"), HasSubstr("x.sim:3: '-32'"));
   EXPECT_THAT(error_of("k.cl k\n64 1 1\n0 1 1\n"), HasSubstr("x.sim:3: '0'"));
-  EXPECT_THAT(error_of("k.cl k\n64 1 1\n48 1 1\n"),
-              HasSubstr("global size 64 and local size 48 in dimension 0"));
   EXPECT_THAT(error_of(head + "size=4\n"), HasSubstr("x.sim:4: 'size=4'; expected an argument"));
   EXPECT_THAT(error_of(head + "<size=4\n7\n"), HasSubstr("x.sim:4"));
   EXPECT_THAT(error_of(head + "<size=x>\n"), HasSubstr("'size=x'; expected a number of bytes"));
