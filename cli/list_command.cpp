@@ -19,6 +19,7 @@
 #include "core/scene.hpp"
 #include "reports/metrics.hpp"
 #include "variants/axes.hpp"
+#include "variants/combinations.hpp"
 #include "variants/backend.hpp"
 
 namespace warpgrain::cli {

@@ -9,23 +9,29 @@
 #include <string_view>
 
 #include "core/error.hpp"
+#include "variants/combinations.hpp"
 
 namespace warpgrain::cli {
 namespace {
 
+// The values asked for, by axis.
 using Selection = std::map<std::string, std::set<std::string>>;
 
 void select(Selection& selection, const std::string& option) {
   const auto equals = option.find('=');
   if (equals == std::string::npos || equals + 1 == option.size())
     throw_input_error("--axis", fmt::format("'{}'", option),
-                      "name=value,value, as --axis contact=simple,branchy");
+                      "name=value,value, as --axis contact=simple,branchy, or name=all");
   const std::string name = option.substr(0, equals);
   std::istringstream values(option.substr(equals + 1));
   if (selection.count(name))
     throw_input_error("--axis", fmt::format("'{}' a second time", name), "each axis once");
   for (std::string value; std::getline(values, value, ',');) {
-    Variant{}.set(name, value);  // refuses what is not in the tables
+    // Refuses what is not in the tables.
+    if (value == "all")
+      axis_named(name);
+    else
+      Variant{}.set(name, value);
     selection[name].insert(value);
   }
 }
@@ -33,21 +39,25 @@ void select(Selection& selection, const std::string& option) {
 }  // namespace
 
 std::vector<Variant> swept_variants(const std::vector<std::string>& axis_options) {
+  if (axis_options.empty()) return one_value_at_a_time();
   Selection selection;
   for (const std::string& option : axis_options) select(selection, option);
-  std::vector<Variant> variants;
-  for (const Variant& variant : all_variants()) {
-    bool wanted = true;
-    for (std::size_t a = 0; a < n_axes; ++a) {
-      const auto chosen = selection.find(std::string(axes()[a].name));
-      wanted = wanted && (chosen == selection.end() ||
-                          chosen->second.count(std::string(variant.value(static_cast<AxisId>(a)))));
-    }
-    if (wanted) variants.push_back(variant);
+  std::vector<Variant> variants{Variant()};
+  for (const Axis& axis : axes()) {
+    const auto chosen = selection.find(std::string(axis.name));
+    if (chosen == selection.end()) continue;
+    std::vector<Variant> extended;
+    for (const Variant& variant : variants)
+      for (const AxisValue& value : axis.values)
+        if (chosen->second.contains("all") || chosen->second.contains(std::string(value.name))) {
+          extended.push_back(variant);
+          extended.back().set(axis.name, value.name);
+        }
+    variants = std::move(extended);
   }
-  if (variants.empty())
-    throw_input_error("--axis", "no variant has these values together",
-                      "a selection from `warpgrain list variants`");
+  const Variant first = variants.front();
+  std::erase_if(variants, [](const Variant& variant) { return !refusal(variant).empty(); });
+  if (variants.empty()) throw_input_error("--axis", first.name() + ": " + refusal(first));
   return variants;
 }
 

@@ -9,9 +9,10 @@
 
 namespace warpgrain::cli {
 
-// All variants whose values are among those named, in table order. Each entry of `axis_options` is
-// "name=value,value"; an axis that is not named takes all its values. Throws InputError for a name or value
-// that there is not, for an axis named twice and for a selection without any variant.
+// Every combination of the values named that makes sense, in table order. Each entry of `axis_options` is
+// "name=value,value" or "name=all"; an axis that is not named stays at its default. Without any entry: every
+// value of every axis once (one_value_at_a_time). Throws InputError for a name or value that there is not,
+// for an axis named twice, and with the reason where no combination makes sense.
 std::vector<Variant> swept_variants(const std::vector<std::string>& axis_options);
 
 // "I/N": the I-th of N parts, I from 1.

@@ -60,6 +60,20 @@ DEVICE_FUNCTION real3 remembered_displacement(const ContactHistory* history, uin
   return make_real3(REAL(0.0), REAL(0.0), REAL(0.0));
 }
 
+// The same for laws without branches: all slots are looked at, and one is loaded.
+DEVICE_FUNCTION real3 remembered_displacement_without_branches(const ContactHistory* history, uint partner) {
+  uint found = 0;
+  bool is_known = false;
+  for (uint slot = 0; slot < history->n_before; ++slot) {  // branch: used contact slots
+    const bool is_it = history->partners_before[slot] == partner;
+    found = is_it ? slot : found;
+    is_known |= is_it;
+  }
+  const real3 displacement = vload3(found, history->displacements_before);
+  return make_real3(is_known ? displacement.x : REAL(0.0), is_known ? displacement.y : REAL(0.0),
+                    is_known ? displacement.z : REAL(0.0));
+}
+
 DEVICE_FUNCTION void remember_displacement(ContactHistory* history, uint partner, real3 displacement) {
   if (history->n_after == CONTACT_SLOTS) {  // branch: slots full
     report_error(history->status, STATUS_SLOTS_FULL, history->rank);

@@ -41,8 +41,8 @@ KERNEL void force_from_walls(const StepParameters p, CONSTANT const WallLayout* 
       const real3 separation = separation_from_rectangle(wall, particle.position);
       const real square = dot(separation, separation);
       if (square >= particle.radius * particle.radius) continue;  // branch: rectangle contact test
-      const real distance = sqrt(square);
-      contact.contact_normal = distance > REAL(0.0) ? separation / distance : -normal;
+      const real distance = square_root(square);
+      contact.contact_normal = distance > REAL(0.0) ? quotient_of_vector(separation, distance) : -normal;
       contact.overlap = particle.radius - distance;
     } else {
       // Near a wall both differences are exact, so that the rest of its place is added to what they leave.
@@ -56,6 +56,10 @@ KERNEL void force_from_walls(const StepParameters p, CONSTANT const WallLayout* 
     contact.surface_rotation = make_real3(REAL(0.0), REAL(0.0), REAL(0.0));
     contact.inverse_radius = REAL(0.0);
     contact.inverse_mass = REAL(0.0);
+    contact.radius = particle.radius;
+    contact.mass = particle.mass;
+    contact.radius_ratio = REAL(1.0);
+    contact.mass_ratio = REAL(1.0);
     contact.partner = WALL_PARTNER_BIT | index;
     contact.material = wall->material;
     apply_contact(&law, &particle, &contact, &history, &sum);
@@ -64,7 +68,7 @@ KERNEL void force_from_walls(const StepParameters p, CONSTANT const WallLayout* 
 
   // The evaluation is complete here: nothing that is not a number goes further unnoticed.
   const real3 check = sum.force + sum.torque;
-  if (!isfinite(check.x + check.y + check.z)) report_error(status, STATUS_NOT_FINITE, particle.rank);
+  if (!is_finite(check.x + check.y + check.z)) report_error(status, STATUS_NOT_FINITE, particle.rank);
   force[self] = make_real4(sum.force, REAL(0.0));
   torque[self] = make_real4(sum.torque, REAL(0.0));
   contact_counts[self] = make_uint2(n_particles_touched, n_contacts);

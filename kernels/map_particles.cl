@@ -26,7 +26,7 @@ KERNEL void map_particles(const StepParameters p, GLOBAL const real4* position_r
     const Cell cell = cell_at(p, place);
     cell_of_particle = cell_number(p, cell.x, cell.y, cell.z);
   } else {
-    report_error(status, isfinite(place.x + place.y + place.z) ? STATUS_OUT_OF_DOMAIN : STATUS_NOT_FINITE,
+    report_error(status, is_finite(place.x + place.y + place.z) ? STATUS_OUT_OF_DOMAIN : STATUS_NOT_FINITE,
                  rank);
   }
   cell_keys[particle] = ((ulong)cell_of_particle << 32) | rank;

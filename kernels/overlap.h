@@ -11,6 +11,24 @@
 
 #include "prelude.h"
 
+typedef struct {
+  real value;    // rounded
+  real inverse;  // 1 / value
+} Distance;
+
+DEVICE_FUNCTION Distance distance_of(real square) {
+  Distance distance;
+#ifdef ONE_ROOT_A_PAIR
+  // The value is twice as far off as a root; the overlap's Newton step takes that out again.
+  distance.inverse = reciprocal_square_root(square);
+  distance.value = square * distance.inverse;
+#else
+  distance.value = square_root(square);
+  distance.inverse = quotient(REAL(1.0), distance.value);
+#endif
+  return distance;
+}
+
 #if REAL_BITS == 32
 // (high, low) -= x * x
 DEVICE_FUNCTION void subtract_square(real x, real* high, real* low) {
@@ -23,18 +41,18 @@ DEVICE_FUNCTION void subtract_square(real x, real* high, real* low) {
 }
 #endif
 
-// `distance` is the rounded length of `separation`, less than `reach`. Never negative.
-DEVICE_FUNCTION real overlap_of_spheres(real3 separation, real distance, real inverse_distance, real reach) {
+// `distance` is the length of `separation`, less than `reach`. Never negative.
+DEVICE_FUNCTION real overlap_of_spheres(real3 separation, Distance distance, real reach) {
 #if REAL_BITS == 32
   FP_CONTRACT_OFF
-  real high = distance * distance;
-  real low = fma(distance, distance, -high);
+  real high = distance.value * distance.value;
+  real low = fma(distance.value, distance.value, -high);
   subtract_square(separation.x, &high, &low);
   subtract_square(separation.y, &high, &low);
   subtract_square(separation.z, &high, &low);
-  return fmax((reach - distance) + REAL(0.5) * inverse_distance * (high + low), REAL(0.0));
+  return fmax((reach - distance.value) + REAL(0.5) * distance.inverse * (high + low), REAL(0.0));
 #else
-  return reach - distance;
+  return reach - distance.value;
 #endif
 }
 

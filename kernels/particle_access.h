@@ -15,6 +15,8 @@ DEVICE_FUNCTION Particle load_particle(uint index, GLOBAL const real4* position_
   particle.velocity = xyz(velocity_mass[index]);
   particle.mass = velocity_mass[index].w;
   particle.angular_velocity = xyz(angular_velocity[index]);
+  particle.inverse_radius = quotient(REAL(1.0), particle.radius);
+  particle.inverse_mass = quotient(REAL(1.0), particle.mass);
   particle.rank = rank_material[index].x;
   particle.material = rank_material[index].y;
   return particle;

@@ -40,4 +40,23 @@ typedef float4 real4;
 #define make_uint2(x, y) ((uint2)(x, y))
 #define xyz(v) ((v).xyz)
 
+#if REAL_BITS == 64
+#define bits_of(x) as_ulong(x)
+#define real_of_bits(bits) as_double(bits)
+#else
+#define bits_of(x) as_uint(x)
+#define real_of_bits(bits) as_float(bits)
+#endif
+
+// The math axis: -D NATIVE_MATH takes the device's own approximations, whatever their accuracy.
+#ifdef NATIVE_MATH
+#define square_root(x) native_sqrt(x)
+#define reciprocal_square_root(x) native_rsqrt(x)
+#define quotient(a, b) native_divide(a, b)
+#else
+#define square_root(x) sqrt(x)
+#define reciprocal_square_root(x) rsqrt(x)
+#define quotient(a, b) ((a) / (b))
+#endif
+
 #endif

@@ -5,30 +5,21 @@
 
 #include "core/error.hpp"
 #include "variants/contact_laws.hpp"
+#include "variants/math_modes.hpp"
+#include "variants/orders.hpp"
+#include "variants/precisions.hpp"
+#include "variants/searches.hpp"
 
 namespace warpgrain {
 namespace {
 
-constexpr std::array<AxisValue, 1> search_values{{
-    {"cells", "each work-item walks the 27 cells around its particle"},
-}};
-constexpr std::array<AxisValue, 2> order_values{{
-    {"unsorted", "threads and memory stay in arrival order; neighbours are found through the sorted map"},
-    {"cell", "all properties are moved into cell order every step; threads run in that order"},
-}};
-constexpr std::array<AxisValue, 2> precision_values{{
-    {"fp32", "everything in float"},
-    {"fp64", "everything in double"},
-}};
-constexpr std::array<AxisValue, 1> math_values{{
-    {"default", "the accuracy that OpenCL asks for"},
-}};
-
-std::span<const AxisValue> contact_values() {
-  static const std::vector<AxisValue> values = [] {
-    std::vector<AxisValue> rows;
-    for (const ContactLaw& law : contact_laws()) rows.push_back({law.name, law.summary});
-    return rows;
+// The values of an axis whose rows say more than name and summary.
+template <class Row>
+std::span<const AxisValue> values_of(std::span<const Row> rows) {
+  static const std::vector<AxisValue> values = [rows] {
+    std::vector<AxisValue> named;
+    for (const Row& row : rows) named.push_back({row.name, row.summary});
+    return named;
   }();
   return values;
 }
@@ -44,20 +35,21 @@ std::size_t find_value(const Axis& axis, std::string_view value, std::string_vie
 }
 
 // A default by name, so that a new row cannot shift it.
-std::size_t default_of(std::span<const AxisValue> values, std::string_view name) {
-  return static_cast<std::size_t>(std::ranges::find(values, name, &AxisValue::name) - values.begin());
+Axis axis(std::string_view name, std::string_view summary, std::string_view default_value,
+          std::span<const AxisValue> values) {
+  const auto found = std::ranges::find(values, default_value, &AxisValue::name);
+  return {name, summary, static_cast<std::size_t>(found - values.begin()), values};
 }
 
 }  // namespace
 
 std::span<const Axis> axes() {
-  static const std::array<Axis, n_axes> table{{
-      {"contact", "the contact law", default_of(contact_values(), "branchy"), contact_values()},
-      {"search", "how contacts are found", default_of(search_values, "cells"), search_values},
-      {"order", "the order of particles in memory", default_of(order_values, "cell"), order_values},
-      {"precision", "the arithmetic", default_of(precision_values, "fp32"), precision_values},
-      {"math", "the accuracy of built-in functions", default_of(math_values, "default"), math_values},
-  }};
+  static const std::array<Axis, n_axes> table{
+      {axis("contact", "the contact law", "branchy", values_of(contact_laws())),
+       axis("search", "how contacts are found", "cells", values_of(searches())),
+       axis("order", "the order of particles in memory", "cell", values_of(orders())),
+       axis("precision", "the arithmetic", "fp32", values_of(precisions())),
+       axis("math", "the accuracy of built-in functions", "default", values_of(math_modes()))}};
   return table;
 }
 
@@ -68,26 +60,45 @@ Variant::Variant() {
 Variant Variant::parse(std::string_view name) {
   Variant variant;
   std::string_view rest = name;
-  for (std::size_t axis = 0; axis < n_axes; ++axis) {
-    const std::size_t slash = rest.find('/');
-    if ((slash == std::string_view::npos) != (axis + 1 == n_axes)) {
-      throw_input_error("variant", fmt::format("'{}'", name),
-                        "contact/search/order/precision/math, such as " + Variant().name());
-    }
-    variant.set(axes()[axis].name, rest.substr(0, slash));
-    rest = slash == std::string_view::npos ? std::string_view{} : rest.substr(slash + 1);
+  const auto next_word = [&rest] {
+    const std::string_view word = rest.substr(0, rest.find('/'));
+    rest.remove_prefix(std::min(word.size() + 1, rest.size()));
+    return word;
+  };
+  std::string expected;
+  for (const Axis& axis : axes())
+    if (!axis.is_tuning) expected += fmt::format("{}{}", expected.empty() ? "" : "/", axis.name);
+  expected += ", such as " + Variant().name();
+  for (const Axis& axis : axes()) {
+    if (axis.is_tuning) continue;
+    const std::string_view word = next_word();
+    if (word.empty()) throw_input_error("variant", fmt::format("'{}'", name), expected);
+    variant.set(axis.name, word);
+  }
+  while (!rest.empty()) {
+    const std::string_view word = next_word();
+    const std::size_t equals = word.find('=');
+    if (equals == std::string_view::npos)
+      throw_input_error("variant", fmt::format("'{}'", name), expected + ", then AXIS=VALUE of tuning axes");
+    variant.set(word.substr(0, equals), word.substr(equals + 1));
   }
   return variant;
 }
 
-void Variant::set(std::string_view axis, std::string_view value) {
-  const auto it = std::ranges::find(axes(), axis, &Axis::name);
+const Axis& axis_named(std::string_view name) {
+  const auto it = std::ranges::find(axes(), name, &Axis::name);
   if (it == axes().end()) {
     std::vector<std::string_view> valid;
     for (const Axis& a : axes()) valid.push_back(a.name);
-    throw_unknown_name("variant", "axis", axis, valid);
+    throw_unknown_name("variant", "axis", name, valid);
   }
-  index_[static_cast<std::size_t>(it - axes().begin())] = find_value(*it, value, fmt::format("--{}", axis));
+  return *it;
+}
+
+void Variant::set(std::string_view axis, std::string_view value) {
+  const Axis& named = axis_named(axis);
+  index_[static_cast<std::size_t>(&named - axes().data())] =
+      find_value(named, value, fmt::format("--{}", axis));
 }
 
 std::string_view Variant::value(AxisId axis) const {
@@ -97,26 +108,15 @@ std::string_view Variant::value(AxisId axis) const {
 
 std::string Variant::name() const {
   std::string name;
-  for (std::size_t axis = 0; axis < n_axes; ++axis) {
-    if (axis > 0) name += '/';
-    name += axes()[axis].values[index_[axis]].name;
+  for (std::size_t k = 0; k < n_axes; ++k) {
+    const Axis& axis = axes()[k];
+    const std::string_view value = axis.values[index_[k]].name;
+    if (!axis.is_tuning)
+      name += fmt::format("{}{}", name.empty() ? "" : "/", value);
+    else if (index_[k] != axis.default_value)
+      name += fmt::format("/{}={}", axis.name, value);
   }
   return name;
-}
-
-std::vector<Variant> all_variants() {
-  std::vector<Variant> variants{Variant()};
-  for (const Axis& axis : axes()) {
-    std::vector<Variant> extended;
-    for (const Variant& variant : variants) {
-      for (const AxisValue& value : axis.values) {
-        extended.push_back(variant);
-        extended.back().set(axis.name, value.name);
-      }
-    }
-    variants = std::move(extended);
-  }
-  return variants;
 }
 
 }  // namespace warpgrain

@@ -1,8 +1,8 @@
 #pragma once
-// What can be varied. One table an axis; a variant is a value on every axis, and its name is the values
-// joined with
-// '/': branchy/cells/cell/fp32/default. Everything that lists, sweeps, tests or reports variants iterates
-// these tables.
+// What can be varied. One table an axis; a variant is a value on every axis. Its name is the values of the
+// first axes joined with '/', then those of the tuning axes that are not at their default:
+// branchy/cells/cell/fp32/default, branchy/cells/cell/fp32/default/sort=counting. Everything that lists,
+// sweeps, tests or reports variants iterates these tables; variants/combinations.hpp says which go together.
 
 #include <array>
 #include <cstddef>
@@ -23,17 +23,20 @@ struct Axis {
   std::string_view summary;
   std::size_t default_value;  // index into values
   std::span<const AxisValue> values;
+  bool is_tuning = false;
 };
 
 // In the order of a variant's name.
 std::span<const Axis> axes();
 inline constexpr std::size_t n_axes = 5;
+// Throws InputError that lists the valid names.
+const Axis& axis_named(std::string_view name);
 enum class AxisId : std::size_t { contact, search, order, precision, math };
 
 class Variant {
  public:
   Variant();  // every axis at its default
-  // Throws InputError that lists the valid names.
+  // Throws InputError that lists the valid names. Whether the values go together is not asked.
   static Variant parse(std::string_view name);
   void set(std::string_view axis, std::string_view value);
 
@@ -44,8 +47,5 @@ class Variant {
  private:
   std::array<std::size_t, n_axes> index_{};
 };
-
-// Every combination that makes sense, in table order.
-std::vector<Variant> all_variants();
 
 }  // namespace warpgrain

@@ -5,6 +5,7 @@
 #include "core/reference_solver.hpp"
 #include "variants/contact_laws.hpp"
 #include "variants/device_scene.hpp"
+#include "variants/precisions.hpp"
 
 namespace warpgrain {
 namespace {
@@ -41,8 +42,7 @@ std::unique_ptr<Simulation> create(const Scene& scene, const Variant& variant,
                                    const BackendOptions& options) {
   Scene modelled = scene;
   modelled.model.contact = contact_law(variant).model;
-  if (variant.value(AxisId::precision) == "fp64")
-    return std::make_unique<HostSimulation<double>>(modelled, options);
+  if (precision_of(variant).is_fp64) return std::make_unique<HostSimulation<double>>(modelled, options);
   return std::make_unique<HostSimulation<float>>(modelled, options);
 }
 

@@ -2,6 +2,7 @@
 
 #include "variants/device_simulation.hpp"
 #include "variants/opencl_device.hpp"
+#include "variants/precisions.hpp"
 
 namespace warpgrain {
 namespace {
@@ -12,9 +13,8 @@ std::string lacks() {
 
 std::unique_ptr<Simulation> create(const Scene& scene, const Variant& variant,
                                    const BackendOptions& options) {
-  const bool needs_fp64 = variant.value(AxisId::precision) == "fp64";
-  return std::make_unique<DeviceSimulation>(scene, variant, options,
-                                            open_opencl_device(options.device, needs_fp64));
+  return std::make_unique<DeviceSimulation>(
+      scene, variant, options, open_opencl_device(options.device, precision_of(variant).is_fp64));
 }
 
 }  // namespace

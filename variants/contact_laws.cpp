@@ -1,6 +1,5 @@
 #include "variants/contact_laws.hpp"
 
-#include <algorithm>
 #include <array>
 
 namespace warpgrain {
@@ -10,7 +9,7 @@ namespace warpgrain {
 // of 131072 particles (reports/measured/), simple 7.3e-6 in float at 16384. In double rounded up, since other
 // devices contract and divide differently.
 std::span<const ContactLaw> contact_laws() {
-  static constexpr std::array<ContactLaw, 2> laws{{
+  static constexpr std::array<ContactLaw, 4> laws{{
       {"simple",
        "eq. (1): linear spring, damping and shear; no rotation, no memory",
        "contact/simple.cl",
@@ -25,12 +24,22 @@ std::span<const ContactLaw> contact_laws() {
        true,
        {5e-5, 1e-12},
        {6e-4, 1e-12}},
+      {"branchless",
+       "eqs. (2)-(10) with selects in place of every if: all contacts pay for what one that slips needs",
+       "contact/branchless.cl",
+       ContactModel::practical,
+       true,
+       {5e-5, 1e-12},
+       {6e-4, 1e-12}},
+      {"sfu_minimised",
+       "eqs. (2)-(10) with two operations on the special-function unit in a contact that does not slip",
+       "contact/sfu_minimised.cl",
+       ContactModel::practical,
+       true,
+       {5e-5, 1e-12},
+       {6e-4, 1e-12}},
   }};
   return laws;
-}
-
-const ContactLaw& contact_law(const Variant& variant) {
-  return *std::ranges::find(contact_laws(), variant.value(AxisId::contact), &ContactLaw::name);
 }
 
 }  // namespace warpgrain

@@ -11,6 +11,8 @@
 #include "core/error.hpp"
 #include "kernels/layout.h"
 #include "variants/contact_laws.hpp"
+#include "variants/orders.hpp"
+#include "variants/precisions.hpp"
 
 namespace warpgrain {
 namespace {
@@ -179,7 +181,7 @@ void fill(const Scene& scene, const GridGeometry& grid, DeviceScene& device) {
 void size_arrays(const Variant& variant, DeviceScene& device) {
   using enum DeviceArray;
   const std::size_t n = device.n_particles, real_bytes = device.is_fp64 ? 8 : 4;
-  const bool reorders = variant.value(AxisId::order) == "cell";
+  const bool reorders = order_of(variant).moves_particles;
   auto& bytes = device.bytes;
   for (DeviceArray vectors : {position_radius, velocity_mass, angular_velocity, force, torque})
     bytes[vectors] = 4 * real_bytes * n;
@@ -223,7 +225,7 @@ DeviceScene lay_out(const Scene& scene, const Variant& variant) {
   const ParticleState& particles = scene.particles;
   if (particles.size() == 0) throw_input_error("scene: particles", "none", "at least one");
   DeviceScene device;
-  device.is_fp64 = variant.value(AxisId::precision) == "fp64";
+  device.is_fp64 = precision_of(variant).is_fp64;
   device.keeps_history = contact_law(variant).keeps_history;
   device.contact_slots = device.keeps_history ? contact_slots_for(particles) : 0;
   // Kernels count in 32 bits; the largest array holds three numbers a slot.

@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "kernels/layout.h"
+#include "variants/combinations.hpp"
 
 namespace warpgrain {
 namespace {
@@ -37,6 +38,7 @@ DeviceSimulation::DeviceSimulation(const Scene& scene, const Variant& variant, c
       id_(scene.particles.id),
       material_(scene.particles.material),
       ranks_by_id_(id_.size()) {
+  require_sensible(variant);
   std::iota(ranks_by_id_.begin(), ranks_by_id_.end(), 0u);
   std::ranges::sort(ranks_by_id_, {}, [this](std::uint32_t rank) { return id_[rank]; });
   DeviceScene layout = lay_out(scene, variant);

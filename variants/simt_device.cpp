@@ -7,15 +7,13 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <map>
 #include <optional>
 #include <thread>
 #include <utility>
 
 #include "core/parallel_ranges.hpp"
 #include "profiler/element_type.hpp"
-#include "profiler/kernel_declaration.hpp"
-#include "profiler/opencl_frontend.hpp"
+#include "variants/simulated_unit.hpp"
 #include "variants/simulator_arrays.hpp"
 
 namespace warpgrain {
@@ -38,16 +36,12 @@ class SimulatedDevice : public OverSimulatorArrays<SimtDevice> {
         threads_(threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency())) {}
 
   void build(const std::vector<SourceUnit>& units) override {
-    for (const SourceUnit& unit : units) {
-      units_.push_back(
-          {unit.text, profiler::compile_opencl(unit.text, unit_name, unit.build_options), {}, {}});
-      if (checks_ == profiler::Checks::on)
-        units_.back().declarations = profiler::declaration_bitcode(unit.text, unit_name, unit.build_options);
-    }
+    for (const SourceUnit& unit : units) units_.push_back(SimulatedUnit::of(unit, mode_, checks_));
   }
 
   void launch(const KernelLaunch& launch) override {
-    CompiledKernel& kernel = compiled(launch);
+    SimulatedUnit& unit = *units_[launch.unit];
+    const SimulatedKernel& kernel = unit.kernel(launch.kernel);
     const LaunchShape shape = shape_of(launch);
     std::vector<KernelArgument> arguments = arguments_of(launch);
     for (std::size_t i = 0; i < std::min(arguments.size(), kernel.parameters.size()); ++i) {
@@ -56,12 +50,13 @@ class SimulatedDevice : public OverSimulatorArrays<SimtDevice> {
     }
     const auto begin = std::chrono::steady_clock::now();
     if (profile_options_) {
-      profile(units_[launch.unit], kernel, shape, arguments);
+      profile(unit, kernel, shape, arguments);
     } else {
       run(*kernel.executable, shape, arguments);
     }
-    timings_[kernel.timing].calls += 1;
-    timings_[kernel.timing].seconds += seconds_since(begin);
+    KernelTiming& timing = timing_of(launch.kernel);
+    timing.calls += 1;
+    timing.seconds += seconds_since(begin);
   }
 
   void finish() override {}
@@ -75,49 +70,23 @@ class SimulatedDevice : public OverSimulatorArrays<SimtDevice> {
   std::vector<LaunchProfile> take_profiles() override { return std::exchange(profiles_, {}); }
 
  private:
-  static constexpr const char* unit_name = "kernels";
-
-  struct CompiledKernel {
-    std::unique_ptr<Executable> executable;
-    std::vector<profiler::ParameterDeclaration> parameters;  // of a checked kernel
-    double compile_seconds = 0;
-    std::size_t timing = 0;  // index into timings_
-  };
-  struct Unit {
-    std::string text;
-    profiler::CompiledPtx compiled;
-    std::string declarations;  // bitcode; with checks
-    std::map<std::string, CompiledKernel> kernels;
-  };
-
-  CompiledKernel& compiled(const KernelLaunch& launch) {
-    Unit& unit = units_[launch.unit];
-    const auto it = unit.kernels.find(launch.kernel);
-    if (it != unit.kernels.end()) return it->second;
-    const auto begin = std::chrono::steady_clock::now();
-    CompiledKernel kernel{Executable::compile(unit.compiled.ptx, launch.kernel, mode_, unit_name, checks_),
-                          {},
-                          0,
-                          timings_.size()};
-    if (!unit.declarations.empty())
-      kernel.parameters = profiler::parameters_in_bitcode(unit.declarations, launch.kernel);
-    kernel.compile_seconds = seconds_since(begin);
-    timings_.push_back({launch.kernel, 0, 0});
-    return unit.kernels.emplace(launch.kernel, std::move(kernel)).first->second;
+  KernelTiming& timing_of(const std::string& kernel) {
+    const auto found = std::ranges::find(timings_, kernel, &KernelTiming::kernel);
+    return found == timings_.end() ? timings_.emplace_back(KernelTiming{kernel, 0, 0}) : *found;
   }
 
-  void profile(const Unit& unit, const CompiledKernel& kernel, const LaunchShape& shape,
+  void profile(const SimulatedUnit& unit, const SimulatedKernel& kernel, const LaunchShape& shape,
                std::span<const KernelArgument> arguments) {
     const auto begin = std::chrono::steady_clock::now();
     LaunchProfile launch;
     launch.counters =
-        profiler::profile_launch(*kernel.executable, shape, arguments, unit.text, *profile_options_);
+        profiler::profile_launch(*kernel.executable, shape, arguments, unit.text(), *profile_options_);
     launch.run_seconds = seconds_since(begin);
-    launch.source = unit.text;
-    launch.source_name = unit_name;
-    launch.ptx = unit.compiled.ptx;
-    launch.compiler = unit.compiled.compiler;
-    launch.compile_command = unit.compiled.command;
+    launch.source = unit.text();
+    launch.source_name = SimulatedUnit::name;
+    launch.ptx = unit.compiled().ptx;
+    launch.compiler = unit.compiled().compiler;
+    launch.compile_command = unit.compiled().command;
     launch.compile_seconds = kernel.compile_seconds;
     profiles_.push_back(std::move(launch));
   }
@@ -137,7 +106,7 @@ class SimulatedDevice : public OverSimulatorArrays<SimtDevice> {
   profiler::TraceMode mode_;
   profiler::Checks checks_;
   unsigned threads_;
-  std::vector<Unit> units_;
+  std::vector<std::shared_ptr<SimulatedUnit>> units_;
   std::vector<KernelTiming> timings_;
   std::optional<profiler::ProfileOptions> profile_options_;
   std::vector<LaunchProfile> profiles_;

@@ -6,6 +6,9 @@
 
 #include "kernels/layout.h"
 #include "variants/contact_laws.hpp"
+#include "variants/math_modes.hpp"
+#include "variants/orders.hpp"
+#include "variants/searches.hpp"
 
 namespace warpgrain {
 namespace {
@@ -34,17 +37,20 @@ class PlanBuilder {
               const KernelSources& sources)
       : variant_(variant), device_(device) {
     const std::string law(contact_law(variant).file);
-    const std::string search = fmt::format("search/{}.cl", variant.value(AxisId::search));
+    const std::string search(search_of(variant).file);
     const std::vector<std::string> grid_files{"integrate.cl", "map_particles.cl", "sort_keys.cl",
                                               "reorder_particles.cl", "find_cells.cl"};
-    const std::vector<std::string> force_files{law, search, "force_from_walls.cl"};
+    const std::vector<std::string> pair_files{law, search}, wall_files{law, "force_from_walls.cl"};
     const std::string options = fmt::format("-cl-std=CL1.2 -D REAL_BITS={} -D CONTACT_SLOTS={}",
                                             device.is_fp64 ? 64 : 32, device.contact_slots);
-    const std::string force_options =
-        fmt::format("{} -D SLIP_HISTORY={} -D NORMAL_FORCE={} -D ORDER_CELL={}", options,
-                    static_cast<int>(scene.model.slip_history), static_cast<int>(scene.model.normal_force),
-                    sorts_particles() ? 1 : 0);
-    plan_.units = {{sources.bundle(grid_files), options}, {sources.bundle(force_files), force_options}};
+    const std::string force_options = fmt::format(
+        "{} -D SLIP_HISTORY={} -D NORMAL_FORCE={} {}", options, static_cast<int>(scene.model.slip_history),
+        static_cast<int>(scene.model.normal_force), math_mode(variant).build_options);
+    const std::string pair_options =
+        fmt::format("{} -D ORDER_CELL={}", force_options, order_of(variant).moves_particles ? 1 : 0);
+    plan_.units = {{sources.bundle(grid_files), options},
+                   {sources.bundle(pair_files), pair_options},
+                   {sources.bundle(wall_files), force_options}};
   }
 
   StepPlan build() {
@@ -53,7 +59,7 @@ class PlanBuilder {
            angular_velocity, force, torque, status);
 
     target_ = &plan_.evaluate;
-    if (!sorts_particles() && device_.keeps_history) {
+    if (!order_of(variant_).moves_particles && device_.keeps_history) {
       swap(contact_counts, contact_counts_before);
       swap(history_partners, history_partners_before);
       swap(history_displacements, history_displacements_before);
@@ -61,7 +67,7 @@ class PlanBuilder {
     launch(grid_unit, "map_particles", device_.n_keys, device_.parameters, position_radius, rank_material,
            cell_keys, particle_of_rank, status);
     for (KernelLaunch& sort : sort_launches(grid_unit, device_.n_keys)) target_->push_back(std::move(sort));
-    if (sorts_particles()) reorder();
+    if (order_of(variant_).moves_particles) reorder();
     launch(grid_unit, "clear_cells", device_.n_cells, device_.parameters, cell_ranges);
     launch(grid_unit, "find_cells", device_.n_particles, device_.parameters, cell_keys, cell_ranges);
     forces();
@@ -69,10 +75,8 @@ class PlanBuilder {
   }
 
  private:
-  // The kernels that know the model and the order are compiled apart from those that serve them all.
-  static constexpr std::size_t grid_unit = 0, force_unit = 1;
-
-  bool sorts_particles() const { return variant_.value(AxisId::order) == "cell"; }
+  // Compiled apart by what they depend on: nothing; law, search and order; the law.
+  static constexpr std::size_t grid_unit = 0, pair_unit = 1, wall_unit = 2;
 
   // One work-item an element, in work-groups of the kernels that work on particles.
   template <class... Arguments>
@@ -105,10 +109,10 @@ class PlanBuilder {
   }
 
   void forces() {
-    with_history(launch(force_unit, "force_between_particles", device_.n_particles, device_.parameters,
+    with_history(launch(pair_unit, "force_between_particles", device_.n_particles, device_.parameters,
                         cell_keys, cell_ranges, position_radius, velocity_mass, angular_velocity,
                         rank_material, contact_parameters, force, torque, contact_counts, status));
-    with_history(launch(force_unit, "force_from_walls", device_.n_particles, device_.parameters, walls,
+    with_history(launch(wall_unit, "force_from_walls", device_.n_particles, device_.parameters, walls,
                         position_radius, velocity_mass, angular_velocity, rank_material, contact_parameters,
                         force, torque, contact_counts, status));
   }

@@ -1,45 +1,36 @@
 // The practical model, eqs. (2)-(10), with its natural branches.
 
 #include "contact/contact_law.h"
-
-#ifndef SLIP_HISTORY
-#define SLIP_HISTORY SLIP_HISTORY_CLIP
-#endif
-#ifndef NORMAL_FORCE
-#define NORMAL_FORCE NORMAL_FORCE_SIGNED
-#endif
+#include "contact/practical.h"
 
 DEVICE_FUNCTION void apply_contact(const LawParameters* law, const Particle* particle, const Contact* contact,
                                    ContactHistory* history, ForceSum* sum) {
   const real4 parameters = law->contact_parameters[particle->material * law->n_materials + contact->material];
   const real3 n = contact->contact_normal;
-  const real effective_radius = REAL(1.0) / (REAL(1.0) / particle->radius + contact->inverse_radius);
-  const real effective_mass = REAL(1.0) / (REAL(1.0) / particle->mass + contact->inverse_mass);
-  const real contact_radius = sqrt(contact->overlap * effective_radius);
-  const real normal_stiffness = parameters.x * contact_radius;                              // eq. (8)
-  const real tangential_stiffness = parameters.y * contact_radius;                          // eq. (9)
-  const real damping_coefficient = parameters.z * sqrt(normal_stiffness * effective_mass);  // eq. (10)
+  const real effective_radius =
+      quotient(REAL(1.0), quotient(REAL(1.0), particle->radius) + contact->inverse_radius);
+  const real effective_mass =
+      quotient(REAL(1.0), quotient(REAL(1.0), particle->mass) + contact->inverse_mass);
+  const real contact_radius = square_root(contact->overlap * effective_radius);
+  const real normal_stiffness = parameters.x * contact_radius;                                     // eq. (8)
+  const real tangential_stiffness = parameters.y * contact_radius;                                 // eq. (9)
+  const real damping_coefficient = parameters.z * square_root(normal_stiffness * effective_mass);  // eq. (10)
   const real friction_coefficient = parameters.w;
 
-  const real3 relative_velocity = particle->velocity - contact->velocity;
-  const real normal_velocity = dot(relative_velocity, n);
-  const real3 surface_rotation = particle->radius * particle->angular_velocity + contact->surface_rotation;
-  const real3 tangential_velocity =
-      relative_velocity - normal_velocity * n + cross(surface_rotation, n);  // eq. (6)
-
-  const real3 old_displacement = remembered_displacement(history, contact->partner);
+  const ContactMotion motion = contact_motion(particle, contact);
   real3 tangential_displacement =
-      old_displacement - dot(old_displacement, n) * n + tangential_velocity * law->time_step;  // eq. (7)
+      continued_displacement(remembered_displacement(history, contact->partner), n, &motion, law->time_step);
 
   // Along -n: positive pushes the particle away from its partner.
-  real normal_force = normal_stiffness * contact->overlap + damping_coefficient * normal_velocity;  // eq. (4)
+  real normal_force =
+      normal_stiffness * contact->overlap + damping_coefficient * motion.normal_velocity;  // eq. (4)
 #if NORMAL_FORCE == NORMAL_FORCE_REPULSIVE
   if (normal_force < REAL(0.0)) normal_force = REAL(0.0);  // branch: pulling
 #endif
 
   const real friction_limit = friction_coefficient * fabs(normal_force);
   const real3 spring_force = -tangential_stiffness * tangential_displacement;
-  const real3 damping_force = -damping_coefficient * tangential_velocity;
+  const real3 damping_force = -damping_coefficient * motion.tangential_velocity;
   real3 tangential_force = spring_force + damping_force;  // eq. (4)
 #if SLIP_HISTORY == SLIP_HISTORY_LIGGGHTS
   const real3 tested_force = spring_force;
@@ -47,8 +38,8 @@ DEVICE_FUNCTION void apply_contact(const LawParameters* law, const Particle* par
   const real3 tested_force = tangential_force;
 #endif
   const real tested_square = dot(tested_force, tested_force);
-  if (tested_square > friction_limit * friction_limit) {                       // branch: slip
-    tangential_force = tested_force * (friction_limit / sqrt(tested_square));  // eq. (5)
+  if (tested_square > friction_limit * friction_limit) {                                     // branch: slip
+    tangential_force = tested_force * quotient(friction_limit, square_root(tested_square));  // eq. (5)
 #if SLIP_HISTORY == SLIP_HISTORY_LAMMPS
     const real3 held_by_spring = tangential_force - damping_force;
 #else
@@ -56,12 +47,10 @@ DEVICE_FUNCTION void apply_contact(const LawParameters* law, const Particle* par
 #endif
 #if SLIP_HISTORY != SLIP_HISTORY_PAPER
     if (tangential_stiffness > REAL(0.0)) {  // branch: tangential spring
-      tangential_displacement = -held_by_spring / tangential_stiffness;
+      tangential_displacement = -quotient_of_vector(held_by_spring, tangential_stiffness);
     }
 #endif
   }
   remember_displacement(history, contact->partner, tangential_displacement);
-
-  sum->force += tangential_force - normal_force * n;             // eq. (2)
-  sum->torque += particle->radius * cross(n, tangential_force);  // eq. (3)
+  add_contact(sum, particle, n, normal_force, tangential_force);
 }

@@ -1,6 +1,9 @@
 // What a contact law is to the kernels around it. A law is one .cl file beside this one that defines
 // apply_contact(); the kernels that find contacts (search/*.cl, force_from_walls.cl) call it for every
-// touching partner and know no law.
+// touching partner and know no law. What a law does not read costs nothing: all of it is inlined.
+//
+// A law may #define, before it includes this file:
+//   ONE_ROOT_A_PAIR   distance and contact normal come from one reciprocal square root (overlap.h)
 #ifndef WARPGRAIN_CONTACT_LAW_H
 #define WARPGRAIN_CONTACT_LAW_H
 
@@ -11,17 +14,20 @@
 typedef struct {
   real3 position, velocity, angular_velocity;
   real radius, mass;
+  real inverse_radius, inverse_mass;
   uint rank, material;
 } Particle;
 
 // A partner that touches it. A wall has infinite radius and mass and rests: both inverses and all motion are
-// zero.
+// zero. R* = radius / radius_ratio and m* = mass / mass_ratio say the same without a division: against
+// another particle j these are r_j and (r_i + r_j) / r_i, against a wall r_i and 1.
 typedef struct {
   real3 contact_normal;    // unit, from the particle to the partner
   real overlap;            // > 0
   real3 velocity;          // of the partner's centre
   real3 surface_rotation;  // radius times angular velocity of the partner
   real inverse_radius, inverse_mass;
+  real radius, radius_ratio, mass, mass_ratio;
   uint partner;  // rank, or WALL_PARTNER_BIT | index of the wall
   uint material;
 } Contact;

@@ -3,7 +3,7 @@
 
 #include "contact/contact_law.h"
 #include "grid.h"
-#include "overlap.h"
+#include "pair.h"
 #include "particle_access.h"
 #include "prelude.h"
 
@@ -46,24 +46,10 @@ KERNEL void force_between_particles(const StepParameters p, GLOBAL const ulong* 
         for (uint place = range.x; place < range.y; ++place) {  // branch: next candidate
           const uint other = particle_at(place, cell_keys);
           if (other == self) continue;  // branch: self
-          const real4 place_of_other = position_radius[other];
-          const real3 separation = xyz(place_of_other) - particle.position;
-          const real reach = particle.radius + place_of_other.w;
-          const real square = dot(separation, separation);
-          if (square < reach * reach) {  // branch: contact test
-            const real distance = sqrt(square);
-            const real4 motion = velocity_mass[other];
-            const uint2 other_identity = rank_material[other];
-            Contact contact;
-            const real inverse_distance = REAL(1.0) / distance;
-            contact.contact_normal = separation * inverse_distance;
-            contact.overlap = overlap_of_spheres(separation, distance, inverse_distance, reach);
-            contact.velocity = xyz(motion);
-            contact.surface_rotation = place_of_other.w * xyz(angular_velocity[other]);
-            contact.inverse_radius = REAL(1.0) / place_of_other.w;
-            contact.inverse_mass = REAL(1.0) / motion.w;
-            contact.partner = other_identity.x;
-            contact.material = other_identity.y;
+          const Pair pair = pair_with(&particle, position_radius[other]);
+          if (pair.square < pair.reach * pair.reach) {  // branch: contact test
+            const Contact contact =
+                contact_of(&particle, &pair, other, velocity_mass, angular_velocity, rank_material);
             apply_contact(&law, &particle, &contact, &history, &sum);
             ++n_contacts;
           }

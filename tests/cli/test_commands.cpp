@@ -12,6 +12,7 @@
 #include "reports/report_json.hpp"
 #include "reports/run_report.hpp"
 #include "reports/sweep_index.hpp"
+#include "variants/combinations.hpp"
 
 namespace warpgrain::cli {
 namespace {
@@ -186,9 +187,9 @@ TEST_F(Commands, ProfileOfASceneFindsNothingWrong) {
 }
 
 TEST_F(Commands, SweepResumesAndShards) {
-  const std::vector<std::string> sweep{"sweep",          "--scene", "settled_bed",    "--particles", "64",
-                                       "--at-step",      "20",      "--steps",        "5",           "--axis",
-                                       "precision=fp32", "--axis",  "contact=branchy"};
+  const std::vector<std::string> sweep{
+      "sweep",   "--scene", "settled_bed", "--particles",        "64", "--at-step", "20",
+      "--steps", "5",       "--axis",      "order=unsorted,cell"};
   const auto with = [&](std::vector<std::string> more) {
     more.insert(more.begin(), sweep.begin(), sweep.end());
     return more;
@@ -220,11 +221,15 @@ TEST_F(Commands, SweepResumesAndShards) {
 }
 
 TEST(SweepPlan, SelectsByAxisInTableOrder) {
-  EXPECT_EQ(swept_variants({}).size(), all_variants().size());
-  for (const Variant& variant : swept_variants({"order=cell", "precision=fp64"})) {
-    EXPECT_EQ(variant.value(AxisId::order), "cell");
-    EXPECT_EQ(variant.value(AxisId::precision), "fp64");
-  }
+  EXPECT_EQ(swept_variants({}), one_value_at_a_time());
+  std::vector<std::string> names;
+  for (const Variant& variant :
+       swept_variants({"precision=fp64,fp32", "contact=simple,branchy", "search=cells"}))
+    names.push_back(variant.name());
+  EXPECT_THAT(names,
+              testing::ElementsAre("simple/cells/cell/fp32/default", "simple/cells/cell/fp64/default",
+                                   "branchy/cells/cell/fp32/default", "branchy/cells/cell/fp64/default"));
+  EXPECT_EQ(swept_variants({"order=all"}).size(), axis_named("order").values.size());
 }
 
 TEST(SweepPlan, ShardsCoverEveryCaseOnce) {

@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "variants/axes.hpp"
+#include "variants/combinations.hpp"
 
 namespace warpgrain {
 namespace {
@@ -13,16 +14,25 @@ TEST(Axes, DefaultVariantIsTheSortedPracticalModelInFloat) {
 }
 
 TEST(Axes, NamesAreReadBack) {
-  const std::vector<Variant> variants = all_variants();
   std::set<std::string> names;
-  for (const Variant& variant : variants) {
-    EXPECT_EQ(Variant::parse(variant.name()), variant);
-    names.insert(variant.name());
-  }
-  std::size_t combinations = 1;
-  for (const Axis& axis : axes()) combinations *= axis.values.size();
-  EXPECT_EQ(names.size(), combinations);
+  for (const auto& variants : {all_variants(), one_value_at_a_time()})
+    for (const Variant& variant : variants) {
+      EXPECT_EQ(Variant::parse(variant.name()), variant);
+      names.insert(variant.name());
+    }
   EXPECT_TRUE(names.contains("simple/cells/unsorted/fp64/default"));
+}
+
+TEST(Axes, EveryValueIsInAVariantThatMakesSense) {
+  std::set<std::string> values;
+  for (const Variant& variant : one_value_at_a_time()) {
+    EXPECT_EQ(refusal(variant), "") << variant.name();
+    for (std::size_t a = 0; a < n_axes; ++a)
+      values.insert(std::string(axes()[a].name) + '=' + std::string(variant.value(static_cast<AxisId>(a))));
+  }
+  for (const Axis& axis : axes())
+    for (const AxisValue& value : axis.values)
+      EXPECT_TRUE(values.contains(std::string(axis.name) + '=' + std::string(value.name))) << value.name;
 }
 
 std::string message_of(const std::string& name) {

@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "random_bed.hpp"
+#include "variants/combinations.hpp"
 #include "variants/simt_device.hpp"
 #include "variants/step_profile.hpp"
 
@@ -78,7 +79,7 @@ TEST_F(StepProfile, DoesNotDependOnThreads) {
 // All kernels, checked: accesses in bounds, no races, barriers that all reach.
 TEST_F(StepProfile, NothingIsWrongWithTheKernels) {
   const Scene bed = random_bed({.n_particles = 300});
-  for (const Variant& variant : all_variants())
+  for (const Variant& variant : one_value_at_a_time())
     for (const LaunchProfile& launch : profile_step(bed, variant, {})) {
       std::string found;
       for (const profiler::Diagnostic& d : launch.counters.diagnostics) found += diagnostic_text(d) + '\n';

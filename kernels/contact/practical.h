@@ -1,0 +1,44 @@
+// What the laws of the practical model share: the motion at a contact and the sums over contacts. How a law
+// comes from them to its forces is what the laws differ in.
+#ifndef WARPGRAIN_CONTACT_PRACTICAL_H
+#define WARPGRAIN_CONTACT_PRACTICAL_H
+
+#include "contact/contact_law.h"
+
+#ifndef SLIP_HISTORY
+#define SLIP_HISTORY SLIP_HISTORY_CLIP
+#endif
+#ifndef NORMAL_FORCE
+#define NORMAL_FORCE NORMAL_FORCE_SIGNED
+#endif
+
+typedef struct {
+  real normal_velocity;
+  real3 tangential_velocity;
+} ContactMotion;
+
+// eq. (6)
+DEVICE_FUNCTION ContactMotion contact_motion(const Particle* particle, const Contact* contact) {
+  const real3 n = contact->contact_normal;
+  const real3 relative_velocity = particle->velocity - contact->velocity;
+  const real3 surface_rotation = particle->radius * particle->angular_velocity + contact->surface_rotation;
+  ContactMotion motion;
+  motion.normal_velocity = dot(relative_velocity, n);
+  motion.tangential_velocity = relative_velocity - motion.normal_velocity * n + cross(surface_rotation, n);
+  return motion;
+}
+
+// eq. (7): the old displacement in the contact plane of now, and what has been added to it in the step.
+DEVICE_FUNCTION real3 continued_displacement(real3 old_displacement, real3 n, const ContactMotion* motion,
+                                             real time_step) {
+  return old_displacement - dot(old_displacement, n) * n + motion->tangential_velocity * time_step;
+}
+
+// eqs. (2) and (3). `normal_force` is along -n: positive pushes the particle away from its partner.
+DEVICE_FUNCTION void add_contact(ForceSum* sum, const Particle* particle, real3 n, real normal_force,
+                                 real3 tangential_force) {
+  sum->force += tangential_force - normal_force * n;
+  sum->torque += particle->radius * cross(n, tangential_force);
+}
+
+#endif
