@@ -61,8 +61,9 @@ std::unique_ptr<CLI::App> make_app(Action& chosen) {
 #ifdef WARPGRAIN_HAS_SIMULATOR
   add_profile_command(*app, chosen);
   add_sweep_command(*app, chosen);
+  add_measure_command(*app, chosen);
 #else
-  for (const char* name : {"profile", "sweep"})
+  for (const char* name : {"profile", "sweep", "measure"})
     app->add_subcommand(name, help_text().summary(name))->allow_extras()->callback([name, &chosen] {
       chosen = [name]() -> int {
         throw_input_error(fmt::format("warpgrain {}", name), "this build has no simulator",

@@ -13,7 +13,7 @@
 #include "cli/profile_options.hpp"
 #include "cli/run_loop.hpp"
 #include "core/error.hpp"
-#include "profiler/launch_file.hpp"
+#include "profiler/launch_export.hpp"
 #include "reports/diagnostic_summary.hpp"
 #include "reports/html/report_page.hpp"
 #include "reports/ptx_files.hpp"
@@ -34,6 +34,7 @@ struct Options {
   OutputOptions output;
   std::uint64_t at_step = 0;
   std::string html;
+  std::string export_folder;
 };
 
 // The PTX goes beside the JSON.
@@ -46,6 +47,8 @@ reports::Report report_of(std::span<const profiler::LaunchProfile> launches, con
 
 reports::Report profile_launch_file(const Options& options, const profiler::ProfileOptions& how) {
   const profiler::LaunchFile file = profiler::read_launch_file(options.launch);
+  if (!options.export_folder.empty())
+    export_launch(file, profiler::load_launch(file, options.build_options), options.export_folder);
   const auto result = profiler::profile_launch_file(file, options.build_options, how, std::cout);
   return report_of(std::span(&result.profile, 1), options);
 }
@@ -55,7 +58,8 @@ reports::Report profile_scene(const Options& options, const profiler::ProfileOpt
   const Scene scene = options.scene.load();
   const Variant variant = options.variant.resolve(scene);
   const Scene at_step = advanced(scene, variant, options.device.backend_options(), options.at_step, progress);
-  const auto launches = profile_step(at_step, variant, how, options.device.backend_options());
+  const auto launches =
+      profile_step(at_step, variant, how, options.device.backend_options(), options.export_folder);
   reports::Report report = report_of(launches, options);
   report.scene = scene.name;
   report.variant = variant.name();
@@ -71,6 +75,7 @@ int profile(const Options& options) {
     throw_input_error("warpgrain profile",
                       options.launch.empty() ? "nothing to profile" : "both a launch file and --scene",
                       "either a launch file (.sim) or --scene FILE|NAME");
+  if (!options.export_folder.empty()) make_folder(options.export_folder);
   const auto machine = options.simulator.load_machine();  // before the run: a wrong name costs nothing
   reports::Report report =
       options.launch.empty() ? profile_scene(options, how, progress) : profile_launch_file(options, how);
@@ -95,6 +100,7 @@ void add_profile_command(CLI::App& app, Action& chosen) {
   options->scene.add_to(command);
   add_option(command, "--at-step", options->at_step);
   add_option(command, "--html", options->html);
+  add_option(command, "--export", options->export_folder);
   options->simulator.add_to(command);
   options->variant.add_to(command);
   options->device.add_to(command);

@@ -67,6 +67,10 @@ struct LaunchFile {
 // Throws InputError with file and line.
 LaunchFile read_launch_file(const std::filesystem::path& path);
 
+// Writes the file to `file.path`, its program and files of arguments as paths that are meant relative to it.
+// Throws InputError when it cannot be written.
+void write_launch_file(const LaunchFile& file);
+
 struct LaunchFileResult {
   LaunchProfile profile;
   std::vector<DeviceBuffer> buffers;  // one an argument; empty for scalars and local memory

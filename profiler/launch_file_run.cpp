@@ -7,6 +7,7 @@
 #include "profiler/cuda_frontend.hpp"
 #include "profiler/launch_arguments.hpp"
 #include "profiler/launch_file.hpp"
+#include "profiler/loaded_launch.hpp"
 #include "profiler/opencl_frontend.hpp"
 
 namespace warpgrain::profiler {
@@ -34,45 +35,61 @@ Language language_of(const LaunchFile& file) {
   return extension == ".ptx" ? Language::ptx : extension == ".cu" ? Language::cuda : Language::opencl;
 }
 
-// Sets the PTX of the profile's source, and how it was made.
-void compile(Language language, const std::string& build_options, LaunchProfile& profile) {
+// The program's text and its PTX, without counters.
+LaunchProfile compile(const LaunchFile& file, const std::string& build_options) {
+  LaunchProfile profile;
+  profile.source = read_program(file);
+  profile.source_name = file.program.string();
+  const Language language = language_of(file);
   if (language == Language::ptx) {
     profile.ptx = profile.source;
-    return;
+    return profile;
   }
+  const std::string options_of_shape =
+      language == Language::opencl && !file.shape.is_uniform()
+          ? fmt::format("{}{}{}", build_options, build_options.empty() ? "" : " ", smaller_groups_option)
+          : build_options;
   CompiledPtx compiled = language == Language::cuda
                              ? compile_cuda(profile.source_name, build_options)
-                             : compile_opencl(profile.source, profile.source_name, build_options);
+                             : compile_opencl(profile.source, profile.source_name, options_of_shape);
   profile.ptx = std::move(compiled.ptx);
   profile.compiler = std::move(compiled.compiler);
   profile.compile_command = std::move(compiled.command);
+  return profile;
+}
+
+std::vector<BoundArgument> data_of(const LaunchFile& file, const std::string& build_options,
+                                   const LaunchProfile& program,
+                                   std::span<const KernelParameter> parameters) {
+  std::vector<ParameterDeclaration> declared;
+  if (language_of(file) == Language::opencl)
+    declared = declared_parameters(program.source, program.source_name, build_options, file.kernel);
+  return bind_arguments(file, parameters, declared);
 }
 
 }  // namespace
+
+LoadedLaunch load_launch(const LaunchFile& file, const std::string& build_options) {
+  const Clock::time_point compile_begin = Clock::now();
+  LoadedLaunch launch{compile(file, build_options), {}, file.shape, {}};
+  launch.signature = kernel_signature(launch.program.ptx, file.kernel, launch.program.source_name);
+  launch.arguments = data_of(file, build_options, launch.program, launch.signature.parameters);
+  launch.program.compile_seconds = seconds_since(compile_begin);
+  return launch;
+}
 
 LaunchFileResult profile_launch_file(const LaunchFile& file, const std::string& build_options,
                                      const ProfileOptions& options, std::ostream& out) {
   LaunchFileResult result;
   LaunchProfile& profile = result.profile;
-  profile.source = read_program(file);
-  profile.source_name = file.program.string();
-
   const Clock::time_point compile_begin = Clock::now();
-  std::vector<ParameterDeclaration> declared;
-  const Language language = language_of(file);
-  const std::string options_of_shape =
-      language == Language::opencl && !file.shape.is_uniform()
-          ? fmt::format("{}{}{}", build_options, build_options.empty() ? "" : " ", smaller_groups_option)
-          : build_options;
-  compile(language, options_of_shape, profile);
+  profile = compile(file, build_options);
   const TraceMode mode = options.addresses ? TraceMode::blocks_and_addresses : TraceMode::blocks;
   const auto executable =
       Executable::compile(profile.ptx, file.kernel, mode, profile.source_name, options.checks);
-  if (language == Language::opencl)
-    declared = declared_parameters(profile.source, profile.source_name, build_options, file.kernel);
+  std::vector<BoundArgument> bound = data_of(file, build_options, profile, executable->parameters());
   profile.compile_seconds = seconds_since(compile_begin);
 
-  std::vector<BoundArgument> bound = bind_arguments(file, executable->parameters(), declared);
   std::vector<KernelArgument> arguments;
   for (const BoundArgument& argument : bound) arguments.push_back(argument.argument);
   ProfileOptions named_options = options;

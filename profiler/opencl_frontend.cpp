@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <optional>
+#include <sstream>
 #include <vector>
 
 #include "core/error.hpp"
@@ -153,6 +154,20 @@ std::string run_clang(std::string_view source, std::string_view source_name,
   return read_text(output_file);
 }
 
+// clang 15 prints labels that nothing refers to, and some of them inside a call, where ptxas takes none.
+std::string without_labels_in_calls(const std::string& ptx) {
+  std::string text;
+  std::istringstream lines(ptx);
+  bool in_call = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (in_call && line.starts_with("$L__tmp")) continue;
+    in_call = line.starts_with("\tcall") && line.find(';') == std::string::npos;
+    text += line;
+    text += '\n';
+  }
+  return text;
+}
+
 // Whether initial values of variables stand in the PTX.
 bool has_initial_values(std::string_view ptx) { return ptx.find("] = {") != std::string_view::npos; }
 
@@ -195,6 +210,7 @@ CompiledPtx compile_opencl(std::string_view source, std::string_view source_name
   if (has_initial_values(compiled.ptx))
     if (const auto padded = pad_vectors_of_three(compile_to({"-emit-llvm", "-c"})))
       compiled.ptx = generate_ptx(*padded, source_name, of_code);
+  compiled.ptx = without_labels_in_calls(compiled.ptx);
   if (std::ranges::find(user_options, smaller_groups_option) != user_options.end())
     compiled.ptx.insert(0, fmt::format("{}\n", smaller_groups_mark));
   compiled.compiler = compiler().version;

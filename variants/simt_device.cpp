@@ -8,11 +8,13 @@
 #include <atomic>
 #include <chrono>
 #include <optional>
+#include <set>
 #include <thread>
 #include <utility>
 
 #include "core/parallel_ranges.hpp"
 #include "profiler/element_type.hpp"
+#include "profiler/launch_export.hpp"
 #include "variants/simulated_unit.hpp"
 #include "variants/simulator_arrays.hpp"
 
@@ -48,6 +50,9 @@ class SimulatedDevice : public OverSimulatorArrays<SimtDevice> {
       arguments[i].name = kernel.parameters[i].name;
       arguments[i].vector_bytes = profiler::vector_bytes_of_parameter(kernel.parameters[i].type);
     }
+    if (!export_folder_.empty() && exported_.insert(launch.kernel).second)
+      profiler::export_launch(unit.compiled().ptx, launch.kernel, shape, arguments, launch.kernel,
+                              export_folder_);
     const auto begin = std::chrono::steady_clock::now();
     if (profile_options_) {
       profile(unit, kernel, shape, arguments);
@@ -63,8 +68,9 @@ class SimulatedDevice : public OverSimulatorArrays<SimtDevice> {
   std::vector<KernelTiming> timings() const override { return timings_; }
   std::string name() const override { return "SIMT simulator"; }
 
-  void record(const profiler::ProfileOptions& options) override {
+  void record(const profiler::ProfileOptions& options, const std::filesystem::path& export_folder) override {
     profile_options_ = options;
+    export_folder_ = export_folder;
     if (options.threads == 0) profile_options_->threads = threads_;
   }
   std::vector<LaunchProfile> take_profiles() override { return std::exchange(profiles_, {}); }
@@ -110,6 +116,8 @@ class SimulatedDevice : public OverSimulatorArrays<SimtDevice> {
   std::vector<KernelTiming> timings_;
   std::optional<profiler::ProfileOptions> profile_options_;
   std::vector<LaunchProfile> profiles_;
+  std::filesystem::path export_folder_;
+  std::set<std::string> exported_;  // kernels
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 #pragma once
 // The simulator as a device: it runs the same kernels, compiled to PTX, and counts their warps when asked to.
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -13,8 +14,11 @@ namespace warpgrain {
 
 class SimtDevice : public ComputeDevice {
  public:
-  // Profiles the launches from here on. Needs a device made with a mode that leaves traces.
-  virtual void record(const profiler::ProfileOptions& options) = 0;
+  // Profiles the launches from here on. Needs a device made with a mode that leaves traces. The first launch
+  // of each kernel goes to `export_folder`, named after the kernel, with the data that it begins with; empty:
+  // none does.
+  virtual void record(const profiler::ProfileOptions& options,
+                      const std::filesystem::path& export_folder = {}) = 0;
   // Of the launches since record(), in order.
   virtual std::vector<profiler::LaunchProfile> take_profiles() = 0;
 };

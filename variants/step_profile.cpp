@@ -34,7 +34,8 @@ void require_answers(const std::vector<profiler::WhatIf>& questions,
 
 std::vector<profiler::LaunchProfile> profile_step(const Scene& scene, const Variant& variant,
                                                   const profiler::ProfileOptions& options,
-                                                  const BackendOptions& backend) {
+                                                  const BackendOptions& backend,
+                                                  const std::filesystem::path& export_folder) {
   const auto mode =
       options.addresses ? profiler::TraceMode::blocks_and_addresses : profiler::TraceMode::blocks;
   std::unique_ptr<SimtDevice> device = make_simt_device(mode, backend.threads, options.checks);
@@ -42,7 +43,7 @@ std::vector<profiler::LaunchProfile> profile_step(const Scene& scene, const Vari
   DeviceSimulation simulation(scene, variant, backend, std::move(device));
   profiler::ProfileOptions of_kernels = options;
   of_kernels.skip_unknown_keys = true;  // a step has many kernels, and each its own branches
-  simulator.record(of_kernels);
+  simulator.record(of_kernels, export_folder);
   simulation.step(1);
   std::vector<profiler::LaunchProfile> launches = simulator.take_profiles();
   require_answers(options.what_if, launches);

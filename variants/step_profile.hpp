@@ -1,6 +1,7 @@
 #pragma once
 // The launches of one time step, profiled in the simulator.
 
+#include <filesystem>
 #include <vector>
 
 #include "core/scene.hpp"
@@ -14,9 +15,11 @@ namespace warpgrain {
 // state. One entry a kernel launch, in the order of launching. Throws as Simulation::step does, and
 // InputError when this build has no simulator. Of `backend` the kernel folder counts, and the threads where
 // `options` leaves them open. What-if questions that sort threads by a count are answered for the kernels
-// that have it; that none has is an InputError.
+// that have it; that none has is an InputError. The first launch of each kernel is exported to
+// `export_folder`, unless that is empty.
 std::vector<profiler::LaunchProfile> profile_step(const Scene& scene, const Variant& variant,
                                                   const profiler::ProfileOptions& options,
-                                                  const BackendOptions& backend = {});
+                                                  const BackendOptions& backend = {},
+                                                  const std::filesystem::path& export_folder = {});
 
 }  // namespace warpgrain

@@ -74,6 +74,21 @@ k.cl  my_kernel
   EXPECT_TRUE(a[5].no_init && a[4].write_only);
 }
 
+TEST_F(LaunchFiles, WrittenFilesAreReadAlike) {
+  const std::string text =
+      "k.cl\nmy_kernel\n64 2 1\n32 1 1\n<size=16 float range=1:0.5:2.5 ro dump>\n<size=8 uint hex> 10 ff\n"
+      "<size=4> 7\n<null>\n<size=64 file=in.bin wo>\n<size=64 noinit>\n<size=8 short fill=-3>\n";
+  LaunchFile file = read(text);
+  file.path = folder_ / "y.sim";
+  file.program = "k.cl";
+  file.arguments[4].file = "in.bin";
+  write_launch_file(file);
+  std::ifstream in(file.path);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}), text);
+  file.path = folder_ / "nowhere/y.sim";
+  EXPECT_THROW(write_launch_file(file), InputError);
+}
+
 TEST_F(LaunchFiles, TheProgramMayStandRelativeToTheWorkingDirectory) {
   const std::string here = std::filesystem::relative(WARPGRAIN_SOURCE_DIR).string() + "/CMakeLists.txt";
   EXPECT_EQ(read(here + " k 1 1 1 1 1 1").program, here);

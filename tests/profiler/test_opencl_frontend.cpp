@@ -46,6 +46,21 @@ TEST(OpenClFrontend, BackEndErrorsComeWithoutAStackDump) {
   EXPECT_THAT(message, Not(HasSubstr("PLEASE")));
 }
 
+TEST(OpenClFrontend, NoLabelStandsInACall) {
+  const std::string ptx =
+      compile_opencl(
+          "__attribute__((noinline)) void set(global int* a, int x) { a[x] = x * a[x + 1]; }\n"
+          "__attribute__((noinline)) int twice(int x) {\n  return x % 7 == 3 ? x * 2 : x;\n}\n"
+          "kernel void k(global int* a) {\n  set(a, twice(a[0]));\n  a[2] = twice(a[1]);\n}\n",
+          "a.cl")
+          .ptx;
+  std::size_t n_calls = 0;
+  for (std::size_t at = ptx.find("\tcall"); at != std::string::npos;
+       at = ptx.find("\tcall", at + 1), ++n_calls)
+    EXPECT_THAT(ptx.substr(at, ptx.find(';', at) - at), Not(HasSubstr("$L__tmp")));
+  EXPECT_EQ(n_calls, 3u);
+}
+
 TEST(OpenClFrontend, LinesOfTheSourceReachTheGraph) {
   const TemporaryFolder folder;
   write_text(folder.path() / "law.h", "\nfloat law(float x) {\n  return x * 3.0f;\n}\n");

@@ -119,6 +119,30 @@ RunReport run() {
   return r;
 }
 
+MeasuredReport measured() {
+  MeasuredReport m;
+  m.generator = this_generator();
+  m.command_line = "warpgrain measure --scene slit";
+  m.backend = "cuda";
+  m.device = {"NVIDIA H100", "sm_90", "580.1, CUDA 13.0"};
+  m.scene = "slit";
+  m.variant = "simple/cells/cell/fp32/default";
+  m.particles = 1000;
+  m.step = {16, {1e-3, 1.5e-3, 1.25e-3}};
+  MeasuredReport::Kernel kernel;
+  kernel.kernel = "force";
+  kernel.launch_file = "force.sim";
+  kernel.global_size = {1024, 1, 1};
+  kernel.local_size = {128, 1, 1};
+  kernel.calls = 2;
+  kernel.seconds = {2e-4, 1e-4};
+  kernel.code = {"ptxas release 13.0", "fnv1a64:0123456789abcdef", 40, 1024, 0};
+  kernel.agreement = {{"force", 4096, 3, 1e-7}};
+  kernel.counters = {{"sfu_instructions", 300}, {"warp_instructions", 12345}};
+  m.kernels.push_back(kernel);
+  return m;
+}
+
 SweepIndex sweep() {
   SweepIndex index;
   index.generator = this_generator();

@@ -2,6 +2,7 @@
 // A small report whose numbers follow from each other: warps of four lanes run a kernel in which a branch
 // parts two lanes from the other two.
 
+#include "reports/measured_report.hpp"
 #include "reports/report.hpp"
 #include "reports/run_report.hpp"
 #include "reports/sweep_index.hpp"
@@ -18,6 +19,7 @@ profiler::LaunchProfile launch(const std::string& kernel);
 
 Report report();  // of two launches of "force" and one of "sort"
 RunReport run();
-SweepIndex sweep();  // one case that is done, one that failed
+MeasuredReport measured();  // a step and its one kernel
+SweepIndex sweep();         // one case that is done, one that failed
 
 }  // namespace warpgrain::reports::sample

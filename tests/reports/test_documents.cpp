@@ -1,4 +1,4 @@
-// The three formats, written and read back, and what their readers refuse.
+// The formats, written and read back, and what their readers refuse.
 
 #include <functional>
 #include <gmock/gmock.h>
@@ -34,6 +34,11 @@ TEST(Documents, ReportsSurviveARoundTrip) {
 TEST(Documents, RunsSurviveARoundTrip) {
   const std::string text = run_json(sample::run());
   EXPECT_EQ(round_trip(text, read_run, run_json), text);
+}
+
+TEST(Documents, MeasurementsSurviveARoundTrip) {
+  const std::string text = measured_json(sample::measured());
+  EXPECT_EQ(round_trip(text, read_measured, measured_json), text);
 }
 
 TEST(Documents, SweepsSurviveARoundTrip) {

@@ -128,6 +128,17 @@ TEST(Schemas, Runs) {
        {"a kernel without calls", "$.kernels[0]", [](Json& d) { d["kernels"][0].erase("calls"); }}});
 }
 
+TEST(Schemas, Measurements) {
+  const std::string measured = measured_json(sample::measured());
+  expect_valid("measured-1.schema.json", {{"as written", measured}});
+  expect_refused(
+      "measured-1.schema.json", measured,
+      {{"no device", "$", [](Json& d) { d.erase("device"); }},
+       {"no reading", "$.kernels[0].seconds.readings",
+        [](Json& d) { d["kernels"][0]["seconds"]["readings"] = Json::array(); }},
+       {"a flat size", "$.kernels[0].global_size", [](Json& d) { d["kernels"][0]["global_size"] = {64}; }}});
+}
+
 TEST(Schemas, Sweeps) {
   const std::string sweep = sweep_json(sample::sweep());
   expect_valid("sweep-1.schema.json", {{"as written", sweep}});

@@ -1,0 +1,22 @@
+#pragma once
+// One launch file on a CUDA device.
+
+#include <string>
+
+#include "reports/measured_report.hpp"
+
+namespace warpgrain::cli {
+
+struct LaunchMeasurement {
+  std::string launch, build_options;
+  std::string device;                // part of its name
+  std::string assembler = "driver";  // as cuda_assembler takes it
+  std::string keep;                  // folder for what was assembled; empty: none
+  unsigned warm_up = 3, repeats = 20;
+  bool check = false;  // hold the buffers against the simulator's
+};
+
+// Prints the dumped arguments to stdout. Throws InputError for a launch that cannot be run there.
+reports::MeasuredReport measure_launch(const LaunchMeasurement& what);
+
+}  // namespace warpgrain::cli
