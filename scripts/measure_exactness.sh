@@ -75,13 +75,14 @@ run_launches() {
     "$warpgrain" --version
     date -u +%F
   } >"$work/machine.txt" 2>&1
+  without_dumps() { sed '/^  .*\[[0-9]*\] = /d'; }
   # Counts the launch itself, and none of warpgrain's own small kernels beside it.
   count() { # REPORT ASSEMBLER NCU-OPTIONS...
     local report=$1 assembler=$2
     shift 2
     ncu --clock-control none --target-processes all --kernel-name "$kernel" --launch-count 1 "$@" -f -o "$report" \
-      "$warpgrain" measure "$launch" --assembler "$assembler" --repeats 1 --warm-up 0 --quiet \
-      >>"$work/logs/$name.txt" 2>&1
+      "$warpgrain" measure "$launch" --assembler "$assembler" --repeats 1 --warm-up 0 --quiet 2>&1 |
+      without_dumps >>"$work/logs/$name.txt"
   }
   while read -r launch; do
     name=${launch#"$launches"/}
@@ -95,7 +96,7 @@ run_launches() {
     cp "$launch" "$work/launches/$name.sim"
     cp "${launch%.sim}.ptx" "$work/launches/$name.ptx"
     if ! "$warpgrain" measure "$launch" --assembler ptxas --keep "$work/kept" --check --repeats 10 --quiet \
-      --json "$work/times/$name.json" >"$work/logs/$name.txt" 2>&1; then
+      --json "$work/times/$name.json" 2>&1 | without_dumps >"$work/logs/$name.txt"; then
       failed+=("$name: measure, or the buffers' contents")
       head -3 "$work/logs/$name.txt"
     fi
