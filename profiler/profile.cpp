@@ -133,6 +133,7 @@ WarpCounters run_observed(const KernelGraph& graph, Launch& launch, const Profil
   WarpCounters counters(graph, options.warp_width);
   WarpCounterObserver counting(graph, counters);
   ObserverPair both(counting, *options.observer);
+  both.launch_begins(graph);
   const auto merger = make_observed_merger(graph, options.policy, options.warp_width, both);
   MergingVisitor visitor(*merger, options.warp_width, what_if ? &what_if->new_visitor() : nullptr);
   launch.run_groups(visitor, true);

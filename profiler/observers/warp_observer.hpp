@@ -12,6 +12,9 @@ class WarpObserver {
  public:
   virtual ~WarpObserver() = default;
 
+  // The warps that follow are of a launch of this kernel; it outlives them.
+  virtual void launch_begins(const KernelGraph& graph) { (void)graph; }
+
   // A warp begins; `lanes`, at least one, are those that exist.
   virtual void warp_begins(std::uint64_t lanes) { (void)lanes; }
 
@@ -40,6 +43,10 @@ class WarpObserver {
 class ObserverPair : public WarpObserver {
  public:
   ObserverPair(WarpObserver& first, WarpObserver& second) : first_(first), second_(second) {}
+  void launch_begins(const KernelGraph& graph) override {
+    first_.launch_begins(graph);
+    second_.launch_begins(graph);
+  }
   void warp_begins(std::uint64_t lanes) override {
     first_.warp_begins(lanes);
     second_.warp_begins(lanes);

@@ -1,0 +1,67 @@
+#pragma once
+// The paper's tables and figures beside what is computed, simulated and measured, format "warpgrain.paper/1".
+// docs/schemas/paper-1.schema.json is its JSON Schema.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "reports/generator.hpp"
+
+namespace warpgrain::reports {
+
+inline constexpr std::string_view paper_format = "warpgrain.paper/1";
+
+struct PaperReport {
+  struct Measured {
+    double value = 0;
+    std::string on;  // "here: " or a file's name, and the device
+  };
+  struct Row {
+    std::string section;   // of the paper: "Table 3", "eq. (13)", "section 6"
+    std::string quantity;  // "simple model, CUDA"
+    std::string unit;      // empty: a ratio or a count
+    std::optional<double> paper, model, simulated;
+    std::vector<Measured> measured;
+    std::string remark;  // what the values are, where that is not plain
+  };
+  // One state between falling and at rest.
+  struct Sample {
+    struct Kernel {
+      std::string kernel;
+      std::uint64_t warp_instructions = 0;
+      double simt_efficiency = 0;
+    };
+    std::uint64_t step = 0;
+    double time = 0;  // s
+    double mean_candidates = 0, mean_contacts = 0;
+    std::uint32_t most_candidates = 0, most_contacts = 0;
+    std::vector<Kernel> kernels;  // of the step, largest first
+  };
+  // A body of a loop, or of the kernel outside of loops.
+  struct Paths {
+    std::string kernel, file;
+    std::uint32_t line = 0;
+    std::uint32_t branches = 0;
+    std::uint64_t passes = 0, paths = 0;
+    double instruction_share = 0;  // of all instructions that lanes ran
+  };
+
+  Generator generator;
+  std::string command_line;
+  std::string scene;
+  std::uint64_t particles = 0;
+  std::vector<Row> rows;
+  std::vector<Sample> samples;  // in order of time
+  std::vector<Paths> paths;     // of the step's heaviest kernel
+};
+
+// Throws InputError naming a number that is not finite.
+std::string paper_json(const PaperReport& report);
+
+// Tables for a terminal.
+std::string text_paper(const PaperReport& report);
+
+}  // namespace warpgrain::reports
