@@ -1,13 +1,11 @@
 #include "cli/sweep_case.hpp"
 
-#include <algorithm>
-#include <chrono>
 #include <string_view>
 #include <vector>
 
 #include "analysis/force_error.hpp"
-#include "analysis/statistics.hpp"
 #include "cli/output.hpp"
+#include "cli/step_timing.hpp"
 #include "cli/sweep_plan.hpp"
 #include "core/file_io.hpp"
 #include "reports/html/report_page.hpp"
@@ -36,21 +34,6 @@ reports::BackendReading check_forces(std::string_view backend_name, const Simula
   const ForceError error = force_error(simulation.state(), simulation.forces(), expected);
   reading.force_error = {{error.force.maximum, error.force.root_mean_square}};
   return reading;
-}
-
-// Five readings of equal length: the median resists the neighbours of a shared machine.
-double median_seconds_per_step(Simulation& simulation, std::uint64_t timed_steps) {
-  using Clock = std::chrono::steady_clock;
-  constexpr std::uint64_t readings = 5;
-  const std::uint64_t steps = std::max<std::uint64_t>(1, timed_steps / readings);
-  std::vector<double> seconds;
-  for (std::uint64_t k = 0; k < readings; ++k) {
-    const auto start = Clock::now();
-    simulation.step(steps);
-    seconds.push_back(std::chrono::duration<double>(Clock::now() - start).count() /
-                      static_cast<double>(steps));
-  }
-  return median(seconds);
 }
 
 }  // namespace

@@ -60,9 +60,10 @@ std::string samples_table(const PaperReport& report) {
   for (const std::string& kernel : kernels) columns.push_back({kernel});
   TextTable table(columns);
   for (const PaperReport::Sample& sample : report.samples) {
-    std::vector<std::string> row{count_text(sample.step), seconds_text(sample.time),
-                                 fmt::format("{:.2f}, most {}", sample.mean_candidates, sample.most_candidates),
-                                 fmt::format("{:.2f}, most {}", sample.mean_contacts, sample.most_contacts)};
+    std::vector<std::string> row{
+        count_text(sample.step), seconds_text(sample.time),
+        fmt::format("{:.2f}, most {}", sample.mean_candidates, sample.most_candidates),
+        fmt::format("{:.2f}, most {}", sample.mean_contacts, sample.most_contacts)};
     for (const std::string& name : kernels) {
       const auto kernel = std::ranges::find(sample.kernels, name, &PaperReport::Sample::Kernel::kernel);
       row.push_back(kernel == sample.kernels.end() ? "-" : fixed_text(kernel->simt_efficiency, 3));
@@ -89,12 +90,14 @@ std::string paths_table(const PaperReport& report) {
 }  // namespace
 
 std::string text_paper(const PaperReport& report) {
-  std::string text = fmt::format("Washizawa & Nakahara's figures; scene {}, {} particles\n\n{}\n{}", report.scene,
-                                 count_text(report.particles), rows_table(report), remarks(report));
+  std::string text =
+      fmt::format("Washizawa & Nakahara's figures; scene {}, {} particles\n\n{}\n{}", report.scene,
+                  count_text(report.particles), rows_table(report), remarks(report));
   text += "\nSIMT efficiency of each kernel from falling to rest; candidates and contacts a particle\n\n";
   text += samples_table(report);
   if (!report.paths.empty())
-    text += fmt::format("\nPaths of lanes through {}\n\n{}", report.paths.front().kernel, paths_table(report));
+    text +=
+        fmt::format("\nPaths of lanes through {}\n\n{}", report.paths.front().kernel, paths_table(report));
   return text;
 }
 

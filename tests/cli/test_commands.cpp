@@ -8,6 +8,7 @@
 #include "cli/sweep_plan.hpp"
 #include "cli/what_if_options.hpp"
 #include "command_fixture.hpp"
+#include "core/file_io.hpp"
 #include "core/state_file.hpp"
 #include "reports/report_json.hpp"
 #include "reports/run_report.hpp"
@@ -184,6 +185,35 @@ TEST_F(Commands, ProfileStopsLoopsWithoutEnd) {
 TEST_F(Commands, ProfileOfASceneFindsNothingWrong) {
   ASSERT_EQ(call({"profile", "--scene", "head_on", "--json", path("r.json")}), 0) << out_ << err_;
   EXPECT_THAT(read("r.json"), HasSubstr("\"diagnostics\": []"));
+}
+
+TEST_F(Commands, PaperPutsEveryFigureBesideItsReadings) {
+  ASSERT_EQ(call({"run", "--scene", "settled_bed", "--particles", "200", "--steps", "5", "--json",
+                  path("run.json"), "--quiet"}),
+            0)
+      << err_;
+  ASSERT_EQ(call({"paper", "--scene", "settled_bed", "--particles", "200", "--steps", "20", "--samples", "2",
+                  "--timed-steps", "5", "--machine", "hopper_h100", "--measured", path("run.json"), "--json",
+                  path("p.json")}),
+            0)
+      << err_;
+  const auto paper = nlohmann::json::parse(read_text_file(path("p.json"), 1 << 20));
+  EXPECT_EQ(paper["format"], "warpgrain.paper/1");
+  EXPECT_EQ(paper["samples"].size(), 3u);
+  EXPECT_FALSE(paper["paths"].empty());
+  bool found = false;
+  for (const auto& row : paper["rows"])
+    if (row["quantity"] == "practical model, OpenCL") {
+      found = true;
+      ASSERT_EQ(row["measured"].size(), 2u);
+      EXPECT_THAT(row["measured"][0]["on"].get<std::string>(), HasSubstr("here: "));
+      EXPECT_THAT(row["measured"][1]["on"].get<std::string>(), HasSubstr("run.json: "));
+    }
+  EXPECT_TRUE(found);
+  EXPECT_THAT(out_, HasSubstr("27 sqrt(2) is 38.2"));
+  EXPECT_EQ(call({"paper", "--samples", "0"}), 2);
+  EXPECT_EQ(call({"paper", "--measured", path("none.json")}), 2);
+  EXPECT_THAT(err_, HasSubstr("none.json"));
 }
 
 TEST_F(Commands, SweepResumesAndShards) {
