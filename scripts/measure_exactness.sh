@@ -14,7 +14,8 @@
 set -uo pipefail
 cd "$(dirname "$0")/.." || exit
 
-variants=(branchy/cells/cell/fp32/default simple/cells/cell/fp32/default branchy/cells/unsorted/fp32/default
+variants=(branchy/cells/cell/fp32/default simple/cells/cell/fp32/default branchless/cells/cell/fp32/default
+  sfu_minimised/cells/cell/fp32/default branchy/cells/unsorted/fp32/default
   branchy/cells/cell/fp64/default)
 
 export_launches() {
