@@ -95,13 +95,13 @@ run_launches() {
     fi
     kernel=$(awk 'NF { if (++n == 2) { print $1; exit } }' "$launch")
     cp "$launch" "$work/launches/$name.sim"
-    cp "${launch%.sim}.ptx" "$work/launches/$name.ptx"
     if ! "$warpgrain" measure "$launch" --assembler ptxas --keep "$work/kept" --check --repeats 10 --quiet \
       --json "$work/times/$name.json" 2>&1 | without_dumps >"$work/logs/$name.txt"; then
       failed+=("$name: measure, or the buffers' contents")
       head -3 "$work/logs/$name.txt"
     fi
     mv "$work/kept/$(basename "${launch%.sim}").cubin" "$work/code/$name.cubin"
+    mv "$work/kept/$(basename "${launch%.sim}").ptx" "$work/launches/$name.ptx"
     count "$work/reports/$name" ptxas --section SourceCounters --metrics "$metrics" || failed+=("$name: counters")
     count "$work/driver_reports/$name" driver \
       --metrics smsp__inst_executed.sum,smsp__thread_inst_executed.sum || failed+=("$name: counters of the driver's code")

@@ -37,9 +37,14 @@ CudaAssembler cuda_assembler(std::string_view name, std::string_view where) {
 
 std::string ptx_for_cuda(std::string_view ptx, std::string_view where) {
   std::string text(ptx.substr(0, ptx.find('\0')));
-  if (text.find(".ptr .const") != std::string::npos)
-    throw_input_error(where, "a kernel with a pointer to constant memory",
-                      "pointers to global memory: CUDA passes no other");
+  if (text.find(".ptr .const") != std::string::npos) {
+    if (std::regex_search(text, std::regex(R"((^|\n)(\.visible )?\.const )")))
+      throw_input_error(where, "a kernel with a pointer to constant memory beside constant variables",
+                        "one or the other: CUDA passes pointers to global memory alone");
+    // Its memory is a buffer here, and all loads of constants are from such buffers.
+    text = std::regex_replace(text, std::regex(R"(\.ptr \.const)"), ".ptr .global");
+    text = std::regex_replace(text, std::regex(R"(\bld\.const\b)"), "ld.global");
+  }
   text = std::regex_replace(text, std::regex(R"((\.target[^\n]*?), *texmode_independent)"), "$1");
   text = std::regex_replace(text, std::regex(R"(\.ptr +\.shared +\.align +\d+ )"), "");
   return std::regex_replace(text, std::regex(R"(%envreg\d+)"), "0");

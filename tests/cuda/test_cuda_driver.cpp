@@ -87,7 +87,12 @@ TEST(CudaProgram, TakesAwayWhatOnlyOpenclKnows) {
                          ".param .u64 .ptr .global .align 4 b\nmov.u32 %r1, %envreg3;\n",
                          "test"),
             ".target sm_70\n.param .u64 a,\n.param .u64 .ptr .global .align 4 b\nmov.u32 %r1, 0;\n");
-  EXPECT_THROW(ptx_for_cuda(".param .u64 .ptr .const .align 4 c", "test"), InputError);
+  // A buffer of constants is a buffer; beside variables in constant memory nobody could tell their loads
+  // apart.
+  const std::string constants = ".param .u64 .ptr .const .align 4 c\nld.const.f32 %f1, [%rd1];\n";
+  EXPECT_EQ(ptx_for_cuda(constants, "test"),
+            ".param .u64 .ptr .global .align 4 c\nld.global.f32 %f1, [%rd1];\n");
+  EXPECT_THROW(ptx_for_cuda(".const .align 4 .b8 table[4];\n" + constants, "test"), InputError);
 }
 
 TEST(CudaModule, ErrorsCarryTheDriversNameAndLog) {
