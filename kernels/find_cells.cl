@@ -7,7 +7,7 @@
 
 KERNEL void clear_cells(const StepParameters p, GLOBAL uint* cell_ranges) {
   const uint cell = work_item();
-  if (cell >= p.cells_x * p.cells_y * p.cells_z) return;  // branch: beyond the last cell
+  if (cell >= p.n_cells) return;  // branch: beyond the last cell
   cell_ranges[2 * cell] = 0;
   cell_ranges[2 * cell + 1] = 0;
 }

@@ -13,6 +13,11 @@
 //   cell_keys             ulong [n_keys]   CM (eq. 11), once sorted SCM: cell in the high 32 bits, rank below
 //   particle_of_rank      uint [n]         where the particle of a rank stood when the map was made
 //   cell_ranges           uint2 [n_cells]  SCCM (eq. 12): a cell's first entry in the SCM, one past its last
+//   scan_sums             uint [n_cells / SCAN_BLOCK, rounded up]  particles in the blocks of cells before
+//   near                  uint [LIST_SLOTS * n]   a search's lists: entry k of particle i at k * n + i
+//   near_counts           uint [n]         how many entries
+//   listed_positions      real4 [n]        where particles were when lists with a skin were made
+//   lists_outdated        uint [1]         whether such lists may miss a contact
 //   contact_parameters    real4 [n_materials * n_materials]   C_kn, C_kt, alpha, mu
 //   walls                 WallLayout [n_walls]
 //   status                uint [STATUS_SIZE]
@@ -43,12 +48,14 @@ LAYOUT_STRUCT(StepParameters) {
   LAYOUT_TRIPLE gravity;
   LAYOUT_TRIPLE lower, upper;  // of the domain, which is the grid's box
   real inverse_cell_size;
+  real skin;                          // of neighbour lists
   real k_spring, k_damping, k_shear;  // eq. (1)
   LAYOUT_UINT n_particles;
   LAYOUT_UINT n_keys;  // n_particles, padded as the sort needs it
   LAYOUT_UINT n_materials;
   LAYOUT_UINT n_walls;
   LAYOUT_UINT cells_x, cells_y, cells_z;
+  LAYOUT_UINT n_cells;  // numbers of cells; some may be of none
 };
 
 LAYOUT_STRUCT(WallLayout) {
@@ -70,9 +77,12 @@ LAYOUT_STRUCT(WallLayout) {
 
 #define WALL_PARTNER_BIT 0x80000000u
 
-// Work-items of a work-group: of the sort, which orders blocks of twice as many keys in local memory, and of
-// the rest.
+// Work-items of a work-group: of the bitonic sort, which orders blocks of twice as many keys in local memory;
+// of the scan, which takes SCAN_CELLS cells a work-item; of the rest.
 #define SORT_WORK_GROUP 512
+#define SCAN_WORK_GROUP 256
+#define SCAN_CELLS 8
+#define SCAN_BLOCK (SCAN_WORK_GROUP * SCAN_CELLS)
 #define PARTICLE_WORK_GROUP 128
 
 // status[]: the steps done; whether an earlier step failed, which freezes what follows; then, for each kind
@@ -82,7 +92,8 @@ LAYOUT_STRUCT(WallLayout) {
 #define STATUS_OUT_OF_DOMAIN 2
 #define STATUS_NOT_FINITE 3
 #define STATUS_SLOTS_FULL 4
-#define STATUS_SIZE 5
+#define STATUS_LIST_FULL 5
+#define STATUS_SIZE 6
 #define NO_PARTICLE 0xFFFFFFFFu
 
 // Values of the model's options, as -D SLIP_HISTORY=... and -D NORMAL_FORCE=... name them.

@@ -4,7 +4,6 @@
 
 #include "grid.h"
 #include "prelude.h"
-#include "status.h"
 
 KERNEL void map_particles(const StepParameters p, GLOBAL const real4* position_radius,
                           GLOBAL const uint2* rank_material, GLOBAL ulong* cell_keys,
@@ -19,15 +18,9 @@ KERNEL void map_particles(const StepParameters p, GLOBAL const real4* position_r
   const real4 place = position_radius[particle];
 
   uint cell_of_particle = 0;
-  // Written so that a NaN fails it.
-  const bool inside = place.x >= p.lower.x && place.x <= p.upper.x && place.y >= p.lower.y &&
-                      place.y <= p.upper.y && place.z >= p.lower.z && place.z <= p.upper.z;
-  if (inside) {  // branch: inside the domain
+  if (is_inside(p, place, rank, status)) {  // branch: inside the domain
     const Cell cell = cell_at(p, place);
     cell_of_particle = cell_number(p, cell.x, cell.y, cell.z);
-  } else {
-    report_error(status, is_finite(place.x + place.y + place.z) ? STATUS_OUT_OF_DOMAIN : STATUS_NOT_FINITE,
-                 rank);
   }
   cell_keys[particle] = ((ulong)cell_of_particle << 32) | rank;
   particle_of_rank[rank] = particle;

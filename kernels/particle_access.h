@@ -22,4 +22,12 @@ DEVICE_FUNCTION Particle load_particle(uint index, GLOBAL const real4* position_
   return particle;
 }
 
+// What a sum of forces begins with.
+DEVICE_FUNCTION ForceSum gravity_alone(const StepParameters p, const Particle* particle) {
+  ForceSum sum;
+  sum.force = vector_of(p.gravity) * particle->mass;
+  sum.torque = make_real3(REAL(0.0), REAL(0.0), REAL(0.0));
+  return sum;
+}
+
 #endif

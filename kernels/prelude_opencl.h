@@ -40,6 +40,9 @@ typedef float4 real4;
 #define make_uint2(x, y) ((uint2)(x, y))
 #define xyz(v) ((v).xyz)
 
+// The number of the lowest bit that is set; there is one.
+#define lowest_bit(bits) (31 - clz((bits) & (0 - (bits))))
+
 #if REAL_BITS == 64
 #define bits_of(x) as_ulong(x)
 #define real_of_bits(bits) as_double(bits)

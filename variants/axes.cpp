@@ -9,6 +9,7 @@
 #include "variants/orders.hpp"
 #include "variants/precisions.hpp"
 #include "variants/searches.hpp"
+#include "variants/sorts.hpp"
 
 namespace warpgrain {
 namespace {
@@ -40,6 +41,12 @@ Axis axis(std::string_view name, std::string_view summary, std::string_view defa
   const auto found = std::ranges::find(values, default_value, &AxisValue::name);
   return {name, summary, static_cast<std::size_t>(found - values.begin()), values};
 }
+Axis tuning_axis(std::string_view name, std::string_view summary, std::string_view default_value,
+                 std::span<const AxisValue> values) {
+  Axis row = axis(name, summary, default_value, values);
+  row.is_tuning = true;
+  return row;
+}
 
 }  // namespace
 
@@ -49,7 +56,8 @@ std::span<const Axis> axes() {
        axis("search", "how contacts are found", "cells", values_of(searches())),
        axis("order", "the order of particles in memory", "cell", values_of(orders())),
        axis("precision", "the arithmetic", "fp32", values_of(precisions())),
-       axis("math", "the accuracy of built-in functions", "default", values_of(math_modes()))}};
+       axis("math", "the accuracy of built-in functions", "default", values_of(math_modes())),
+       tuning_axis("sort", "how the map of particles and cells is sorted", "bitonic", values_of(sorts()))}};
   return table;
 }
 

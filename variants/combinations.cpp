@@ -7,6 +7,7 @@
 #include "variants/orders.hpp"
 #include "variants/precisions.hpp"
 #include "variants/searches.hpp"
+#include "variants/sorts.hpp"
 
 namespace warpgrain {
 namespace {
@@ -41,6 +42,7 @@ const ContactLaw& contact_law(const Variant& variant) {
   return row_of(contact_laws(), variant, AxisId::contact);
 }
 const Search& search_of(const Variant& variant) { return row_of(searches(), variant, AxisId::search); }
+const Sort& sort_of(const Variant& variant) { return row_of(sorts(), variant, AxisId::sort); }
 const Order& order_of(const Variant& variant) { return row_of(orders(), variant, AxisId::order); }
 const Precision& precision_of(const Variant& variant) {
   return row_of(precisions(), variant, AxisId::precision);

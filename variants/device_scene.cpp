@@ -13,9 +13,15 @@
 #include "variants/contact_laws.hpp"
 #include "variants/orders.hpp"
 #include "variants/precisions.hpp"
+#include "variants/searches.hpp"
+#include "variants/sorts.hpp"
 
 namespace warpgrain {
 namespace {
+
+// Of neighbour lists, in largest radii: a settled bed never moves by half of it, grains that fall at 1 m/s do
+// in a few steps, and wider skins list more than is won.
+constexpr double skin_of_lists = 0.2;
 
 // What every OpenCL device can hold in constant memory.
 constexpr std::size_t constant_bytes = 64u << 10;
@@ -30,13 +36,20 @@ std::vector<std::byte> bytes_of(std::span<const T> values) {
 // particle may be rounded into the cell beside its own, and its partners must still be at most one cell away,
 // which in float needs eps * cells along an axis << the margin. And not so many that a sparse scene's step is
 // spent on clearing cells.
-GridGeometry device_grid(const Scene& scene) {
+GridGeometry device_grid(const Scene& scene, double skin) {
   constexpr double margin = 1e-3, most_along_an_axis = 2048;
   const double most_cells = std::max(4096.0, 64.0 * static_cast<double>(scene.particles.size()));
   const Vector3d size = scene.domain.upper - scene.domain.lower;
-  const double edge = std::max({2 * std::ranges::max(scene.particles.radius) * (1 + margin),
+  const double edge = std::max({(2 * std::ranges::max(scene.particles.radius) + skin) * (1 + margin),
                                 size.maxCoeff() / most_along_an_axis, std::cbrt(size.prod() / most_cells)});
   return make_grid_geometry(scene.domain, edge, scene.particles.size());
+}
+
+// In tiles of 8 x 8 x 8; no more than 8 * 8 * 8 times as many as there are cells.
+std::uint32_t cells_in_tiles(const GridGeometry& grid) {
+  std::uint32_t tiles = 1;
+  for (const auto n : grid.n_cells) tiles *= static_cast<std::uint32_t>((n + 7) / 8);
+  return 512 * tiles;
 }
 
 template <class real>
@@ -53,6 +66,7 @@ layout::StepParameters<real> step_parameters(const Scene& scene, const DeviceSce
           .lower = triple<real>(scene.domain.lower),
           .upper = triple<real>(scene.domain.upper),
           .inverse_cell_size = static_cast<real>(1 / grid.cell_edge),
+          .skin = static_cast<real>(device.skin),
           .k_spring = static_cast<real>(simple.k_spring),
           .k_damping = static_cast<real>(simple.k_damping),
           .k_shear = static_cast<real>(simple.k_shear),
@@ -62,7 +76,8 @@ layout::StepParameters<real> step_parameters(const Scene& scene, const DeviceSce
           .n_walls = static_cast<std::uint32_t>(scene.walls.size()),
           .cells_x = grid.n_cells[0],
           .cells_y = grid.n_cells[1],
-          .cells_z = grid.n_cells[2]};
+          .cells_z = grid.n_cells[2],
+          .n_cells = device.n_cells};
 }
 
 // Volatile, because GCC 12 drops a conversion to float and back where it vectorises.
@@ -201,6 +216,16 @@ void size_arrays(const Variant& variant, DeviceScene& device) {
     }
   }
   bytes[cell_keys] = 8 * std::size_t{device.n_keys};
+  if (sort_of(variant).needs_space) {
+    bytes[cell_keys_spare] = bytes[cell_keys];
+    bytes[scan_sums] = 4 * ((std::size_t{device.n_cells} + SCAN_BLOCK - 1) / SCAN_BLOCK);
+  }
+  bytes[near] = 4 * std::size_t{device.list_slots} * n;
+  if (search_of(variant).lists == Lists::neighbours) {
+    bytes[near_counts] = 4 * n;
+    bytes[listed_positions] = 4 * real_bytes * n;
+    bytes[lists_outdated] = 4;
+  }
   bytes[particle_of_rank] = 4 * n;
   bytes[cell_ranges] = 8 * std::size_t{device.n_cells};
   bytes[contact_parameters] = device.contents[contact_parameters].size();
@@ -220,6 +245,15 @@ std::uint32_t contact_slots_for(const ParticleState& particles) {
   return (needed + 3) / 4 * 4;
 }
 
+std::uint32_t neighbour_slots_for(const ParticleState& particles, double skin) {
+  const auto [smallest, largest] = std::ranges::minmax(particles.radius);
+  // Spheres of radius r whose centres are within R + r + skin of that of a sphere of radius R lie between it
+  // and a sphere of radius R + 2 r + skin, and fill 0.7405 of that at most (the densest packing of spheres);
+  // half as many again for those that overlap.
+  const double between = std::pow(largest + 2 * smallest + skin, 3) - std::pow(largest, 3);
+  return static_cast<std::uint32_t>(std::min(1.5 * 0.7405 * between / std::pow(smallest, 3), 4096.0)) + 1;
+}
+
 DeviceScene lay_out(const Scene& scene, const Variant& variant) {
   using enum DeviceArray;
   const ParticleState& particles = scene.particles;
@@ -228,16 +262,23 @@ DeviceScene lay_out(const Scene& scene, const Variant& variant) {
   device.is_fp64 = precision_of(variant).is_fp64;
   device.keeps_history = contact_law(variant).keeps_history;
   device.contact_slots = device.keeps_history ? contact_slots_for(particles) : 0;
+  if (search_of(variant).lists == Lists::contacts) device.list_slots = contact_slots_for(particles);
+  if (search_of(variant).lists == Lists::neighbours) {
+    device.skin = skin_of_lists * std::ranges::max(particles.radius);
+    device.list_slots = neighbour_slots_for(particles, device.skin);
+  }
   // Kernels count in 32 bits; the largest array holds three numbers a slot.
-  const std::size_t most_particles = (std::size_t{1} << 31) / std::max(3 * device.contact_slots, 1u);
+  const std::size_t most_particles =
+      (std::size_t{1} << 31) / std::max({3 * device.contact_slots, device.list_slots, 1u});
   if (particles.size() > most_particles) {
     throw_input_error("scene: particles", fmt::format("{}", particles.size()),
                       fmt::format("at most {} on a device", most_particles));
   }
   device.n_particles = static_cast<std::uint32_t>(particles.size());
   device.n_keys = std::max<std::uint32_t>(2 * SORT_WORK_GROUP, std::bit_ceil(device.n_particles));
-  const GridGeometry grid = device_grid(scene);
-  device.n_cells = static_cast<std::uint32_t>(grid.cell_count());
+  const GridGeometry grid = device_grid(scene, device.skin);
+  device.n_cells =
+      order_of(variant).has_tiles ? cells_in_tiles(grid) : static_cast<std::uint32_t>(grid.cell_count());
   if (device.is_fp64) {
     fill<double>(scene, grid, device);
   } else {

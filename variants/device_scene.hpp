@@ -18,10 +18,12 @@ struct DeviceScene {
   bool keeps_history = false;
   std::uint32_t contact_slots = 0;  // of a particle; 0 without history
   std::uint32_t n_particles = 0;
-  std::uint32_t n_keys = 0;  // n_particles padded to a power of two, at least a block of the sort
-  std::uint32_t n_cells = 0;
-  std::vector<std::byte> parameters;          // layout::StepParameters of the precision
-  PerArray<std::size_t> bytes;                // 0: the array is not used
+  std::uint32_t n_keys = 0;           // n_particles padded to a power of two, at least a block of the sort
+  std::uint32_t n_cells = 0;          // numbers of cells
+  std::uint32_t list_slots = 0;       // of a particle's list of partners; 0 where the search makes none
+  double skin = 0;                    // of lists that outlive a step [m]
+  std::vector<std::byte> parameters;  // layout::StepParameters of the precision
+  PerArray<std::size_t> bytes;        // 0: the array is not used
   PerArray<std::vector<std::byte>> contents;  // [bytes]; empty: need not be written
 };
 

@@ -20,10 +20,11 @@ struct StatusMessage {
   std::size_t word;
   std::string_view text;
 };
-constexpr std::array<StatusMessage, 3> status_messages{{
+constexpr std::array<StatusMessage, 4> status_messages{{
     {STATUS_OUT_OF_DOMAIN, "left the domain"},
     {STATUS_NOT_FINITE, "has a position or a force that is not a finite number"},
     {STATUS_SLOTS_FULL, "has more contacts than contact slots"},
+    {STATUS_LIST_FULL, "has more neighbours than its list has room for"},
 }};
 
 Vector3d vector_at(const std::vector<double>& values, std::size_t k, std::size_t stride) {
@@ -52,8 +53,16 @@ DeviceSimulation::DeviceSimulation(const Scene& scene, const Variant& variant, c
     if (bytes_[array] > 0) device_->allocate(array, bytes_[array]);
     if (!layout.contents[array].empty()) device_->write(array, layout.contents[array]);
   }
-  run(plan_.evaluate);
+  run(plan_.map);
+  run(plan_.forces);
   check();
+}
+
+// Before any list is used: one that misses a contact is impossible.
+bool DeviceSimulation::map_is_outdated() {
+  if (plan_.check_map.empty()) return true;
+  run(plan_.check_map);
+  return download<std::uint32_t>(DeviceArray::lists_outdated)[0] != 0;
 }
 
 void DeviceSimulation::run(const std::vector<PlanEntry>& entries) {
@@ -79,7 +88,8 @@ void DeviceSimulation::check() const {
 void DeviceSimulation::step(std::uint64_t n) {
   for (std::uint64_t k = 0; k < n; ++k) {
     run(plan_.integrate);
-    run(plan_.evaluate);
+    run(map_is_outdated() ? plan_.map : plan_.keep_map);
+    run(plan_.forces);
     ++steps_done_;
     if ((k + 1) % steps_between_checks == 0 || k + 1 == n) {
       device_->finish();

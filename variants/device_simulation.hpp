@@ -26,6 +26,7 @@ class DeviceSimulation : public Simulation {
 
  private:
   void run(const std::vector<PlanEntry>& entries);
+  bool map_is_outdated();
   // Throws SimulationError when a kernel has reported an error.
   void check() const;
   template <class T>

@@ -20,8 +20,13 @@ struct MathMode {
 };
 
 inline std::span<const MathMode> math_modes() {
-  static constexpr std::array<MathMode, 1> rows{
-      {{"default", "the accuracy that OpenCL asks for", "", 1, false}}};
+  static constexpr std::array<MathMode, 4> rows{
+      {{"default", "the accuracy that OpenCL asks for", "", 1, false},
+       {"native", "the device's own approximations of roots and divisions", "-D NATIVE_MATH", 4, true},
+       {"fast_relaxed", "the compiler may compute as if numbers were real, and finite",
+        "-cl-fast-relaxed-math", 100, true},
+       {"correctly_rounded", "divisions and roots rounded as IEEE 754 has it",
+        "-cl-fp32-correctly-rounded-divide-sqrt", 1, true}}};
   return rows;
 }
 

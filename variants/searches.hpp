@@ -2,6 +2,7 @@
 // The searches for contacts: one row here and one .cl file in kernels/search/, which applies any law of
 // kernels/contact/.
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -9,10 +10,22 @@
 
 namespace warpgrain {
 
+class PlanBuilder;
+
+// What a search lists for each particle before it applies the law.
+enum class Lists : std::uint8_t {
+  none,
+  contacts,   // anew at every step
+  neighbours  // with a skin, until some particle has moved half of it
+};
+
 struct Search {
   std::string_view name;  // value of the axis `search`
   std::string_view summary;
   std::string_view file;  // in kernels/
+  Lists lists;
+  // Adds the launches that find the contacts and apply the law.
+  void (*plan_forces)(PlanBuilder&);
 };
 
 std::span<const Search> searches();

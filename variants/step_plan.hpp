@@ -42,13 +42,15 @@ using PlanEntry = std::variant<KernelLaunch, ArraySwap>;
 struct StepPlan {
   std::vector<SourceUnit> units;
   std::vector<PlanEntry> integrate;
-  // All that follows in the paper's flow: the forces at the present positions.
-  std::vector<PlanEntry> evaluate;
+  // What follows in the paper's flow, the forces at the present positions: first what the forces are found
+  // by, the sorted map and lists made of it. Where there is a `check_map`, it runs before, and where it
+  // leaves lists_outdated at zero `keep_map` takes the place of `map`.
+  std::vector<PlanEntry> check_map, map, keep_map;
+  std::vector<PlanEntry> forces;
 };
 
-// The launches that sort cell_keys [n_keys], ascending: n_keys is a power of two and at least 2 *
-// SORT_WORK_GROUP. `unit` is that of sort_keys.cl.
-std::vector<KernelLaunch> sort_launches(std::size_t unit, std::uint32_t n_keys);
+// A scalar as launches take it.
+LaunchArgument scalar_argument(std::uint32_t value);
 
 StepPlan make_step_plan(const Scene& scene, const Variant& variant, const DeviceScene& device,
                         const KernelSources& sources);

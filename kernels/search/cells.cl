@@ -7,19 +7,6 @@
 #include "particle_access.h"
 #include "prelude.h"
 
-// The order axis: 1, the arrays are in the order of the sorted map; 0, they are in the order of ranks.
-#ifndef ORDER_CELL
-#define ORDER_CELL 1
-#endif
-
-DEVICE_FUNCTION uint particle_at(uint place, GLOBAL const ulong* cell_keys) {
-#if ORDER_CELL
-  return place;
-#else
-  return (uint)cell_keys[place];
-#endif
-}
-
 KERNEL void force_between_particles(const StepParameters p, GLOBAL const ulong* cell_keys,
                                     GLOBAL const uint2* cell_ranges, GLOBAL const real4* position_radius,
                                     GLOBAL const real4* velocity_mass, GLOBAL const real4* angular_velocity,
@@ -33,9 +20,7 @@ KERNEL void force_between_particles(const StepParameters p, GLOBAL const ulong* 
       load_particle(self, position_radius, velocity_mass, angular_velocity, rank_material);
   const LawParameters law = law_parameters(p, contact_parameters);
   ContactHistory history = HISTORY_OF(self, particle.rank, 0);
-  ForceSum sum;
-  sum.force = vector_of(p.gravity) * particle.mass;
-  sum.torque = make_real3(REAL(0.0), REAL(0.0), REAL(0.0));
+  ForceSum sum = gravity_alone(p, &particle);
   uint n_contacts = 0;
 
   const Cell cell = cell_at(p, position_radius[self]);

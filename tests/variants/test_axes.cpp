@@ -23,6 +23,19 @@ TEST(Axes, NamesAreReadBack) {
   EXPECT_TRUE(names.contains("simple/cells/unsorted/fp64/default"));
 }
 
+TEST(Axes, NamesHaveTuningAxesWhereTheyAreNotAtTheirDefault) {
+  EXPECT_EQ(Variant::parse("branchy/cells/cell/fp32/default/sort=bitonic").name(),
+            "branchy/cells/cell/fp32/default");
+  EXPECT_EQ(Variant::parse("branchy/cells/cell/fp32/default/sort=counting").value(AxisId::sort), "counting");
+}
+
+TEST(Axes, CombinationsThatMakeNoSenseAreRefusedWithTheReason) {
+  const Variant variant = Variant::parse("branchy/cells/cell/fp64/native");
+  EXPECT_EQ(refusal(variant), "--math native says nothing of double: choose --math default");
+  EXPECT_THROW(require_sensible(variant), InputError);
+  for (const Variant& sensible : all_variants()) EXPECT_NE(sensible, variant);
+}
+
 TEST(Axes, EveryValueIsInAVariantThatMakesSense) {
   std::set<std::string> values;
   for (const Variant& variant : one_value_at_a_time()) {
@@ -46,11 +59,13 @@ std::string message_of(const std::string& name) {
 
 TEST(Axes, RefusesUnknownNamesAndListsTheValidOnes) {
   EXPECT_EQ(message_of("branchy/cells/cel/fp32/default"),
-            "--order: unknown value 'cel'; valid: unsorted, cell");
+            "--order: unknown value 'cel'; valid: unsorted, cell, morton");
   EXPECT_EQ(message_of("branchy/cells"),
             "variant: 'branchy/cells'; expected contact/search/order/precision/math, such as "
             "branchy/cells/cell/fp32/default");
   EXPECT_EQ(message_of("branchy/cells/cell/fp32/default/more").substr(0, 9), "variant: ");
+  EXPECT_EQ(message_of("branchy/cells/cell/fp32/default/sort=x"),
+            "--sort: unknown value 'x'; valid: bitonic, counting");
   Variant variant;
   EXPECT_THROW(variant.set("colour", "red"), InputError);
 }

@@ -13,18 +13,25 @@ namespace {
 
 using testing::HasSubstr;
 
-// Both orders, in the precision whose rounding gives the input back as it was.
+// Both orders, and what else goes through a step in a way of its own, in the precision whose rounding gives
+// the input back as it was.
 class Order : public testing::TestWithParam<const char*> {
  protected:
   std::unique_ptr<Simulation> create(const Scene& scene) const {
-    Variant variant;
-    variant.set("order", GetParam());
-    variant.set("precision", "fp64");
-    return backend("opencl").create(scene, variant, {});
+    return backend("opencl").create(scene, Variant::parse(GetParam()), {});
   }
 };
-INSTANTIATE_TEST_SUITE_P(Device, Order, testing::Values("cell", "unsorted"),
-                         [](const auto& order) { return std::string(order.param); });
+INSTANTIATE_TEST_SUITE_P(Device, Order,
+                         testing::Values("branchy/cells/cell/fp64/default",
+                                         "branchy/cells/unsorted/fp64/default",
+                                         "branchy/verlet/morton/fp64/default/sort=counting",
+                                         "branchy/verlet/unsorted/fp64/default"),
+                         [](const auto& variant) {
+                           std::string name = variant.param;
+                           for (char& letter : name)
+                             if (letter == '/' || letter == '=') letter = '_';
+                           return name;
+                         });
 
 void expect_equal(const ParticleState& a, const ParticleState& b) {
   EXPECT_EQ(a.id, b.id);
@@ -75,6 +82,15 @@ TEST_P(Order, RepeatsItselfBitByBit) {
   EXPECT_EQ(first->contact_count(), second->contact_count());
 }
 
+std::string message_of(auto&& call) {
+  try {
+    call();
+  } catch (const SimulationError& e) {
+    return e.what();
+  }
+  return "no error";
+}
+
 // Sums run over partners in the order of (cell, rank), which does not depend on where they stand in memory.
 TEST(DeviceSimulation, OrdersAgreeBitByBit) {
   const Scene bed = random_bed({.n_particles = 1500, .seed = 5});
@@ -86,6 +102,46 @@ TEST(DeviceSimulation, OrdersAgreeBitByBit) {
   unsorted->step(50);
   expect_equal(cell->state(), unsorted->state());
   EXPECT_EQ(cell->forces().torque, unsorted->forces().torque);
+}
+
+// The map is the same however it has been sorted.
+TEST(DeviceSimulation, SortsAgreeBitByBit) {
+  const Scene bed = random_bed({.n_particles = 1500, .seed = 7});
+  const auto bitonic = backend("opencl").create(bed, Variant(), {});
+  const auto counting =
+      backend("opencl").create(bed, Variant::parse(Variant().name() + "/sort=counting"), {});
+  bitonic->step(50);
+  counting->step(50);
+  expect_equal(bitonic->state(), counting->state());
+}
+
+// Fast grains that begin and end contacts at every step: all of them are found, though lists last for
+// several.
+TEST(DeviceSimulation, NeighbourListsMissNoContact) {
+  Scene bed = random_bed({.n_particles = 1500, .seed = 9, .spacing = 2.1});
+  for (Vector3d& velocity : bed.particles.velocity) velocity *= 20;
+  const auto lists = backend("opencl").create(bed, Variant::parse("branchy/verlet/cell/fp64/default"), {});
+  const auto cells = backend("opencl").create(bed, Variant::parse("branchy/cells/cell/fp64/default"), {});
+  for (int k = 0; k < 60; ++k) {
+    lists->step(1);
+    cells->step(1);
+    ASSERT_EQ(lists->contact_count(), cells->contact_count()) << "step " << k + 1;
+  }
+  std::uint64_t evaluations = 0, listings = 0;
+  for (const KernelTiming& timing : lists->timings()) {
+    if (timing.kernel == "list_neighbours") listings = timing.calls;
+    if (timing.kernel == "force_between_particles") evaluations = timing.calls;
+  }
+  EXPECT_GT(listings, 3u);
+  EXPECT_LT(2 * listings, evaluations);
+}
+
+TEST(DeviceSimulation, NamesAParticleWithMoreNeighboursThanItsListHolds) {
+  const Scene scene = random_bed({.n_particles = 1000, .spacing = 0.8, .history = false});
+  EXPECT_THAT(message_of([&] {
+                backend("opencl").create(scene, Variant::parse("simple/verlet/cell/fp32/default"), {});
+              }),
+              HasSubstr("has more neighbours than its list has room for"));
 }
 
 TEST_P(Order, ContinuesFromAState) {
@@ -136,15 +192,6 @@ TEST(DeviceSimulation, TimesEveryKernelOfTheFlow) {
               testing::UnorderedElementsAre("integrate", "map_particles", "sort_blocks", "merge_stride",
                                             "merge_blocks", "reorder_particles", "clear_cells", "find_cells",
                                             "force_between_particles", "force_from_walls"));
-}
-
-std::string message_of(auto&& call) {
-  try {
-    call();
-  } catch (const SimulationError& e) {
-    return e.what();
-  }
-  return "no error";
 }
 
 Scene single_particle() {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <map>
 
 #include "core/error.hpp"
 #include "random_bed.hpp"
@@ -74,6 +75,32 @@ TEST_F(StepProfile, DoesNotDependOnThreads) {
     EXPECT_EQ(one[k].counters.totals.lane_histogram, three[k].counters.totals.lane_histogram);
     EXPECT_EQ(one[k].counters.totals.global_load.sectors, three[k].counters.totals.global_load.sectors);
   }
+}
+
+// Two operations in a contact, and two more in one that slips: the lines of the law and of the pair's
+// geometry with special functions, as often as contacts came by.
+TEST_F(StepProfile, SfuMinimisedNeedsTwoSpecialFunctionsAContact) {
+  const auto special_functions = [](const char* law) {
+    Variant variant;
+    variant.set("contact", law);
+    const auto launches = profile_step(random_bed({.n_particles = 2000}), variant, {});
+    std::map<std::uint64_t, int> lines;  // by how often a warp came by
+    for (const profiler::LineTotals& line : force_launch(launches).counters.lines) {
+      const std::string& file = line.file;
+      if (file.find("contact/") == std::string::npos && file.find("overlap.h") == std::string::npos &&
+          file.find("pair.h") == std::string::npos && file.find("prelude.h") == std::string::npos)
+        continue;
+      if (line.totals.sfu_instructions > 0) ++lines[line.totals.sfu_instructions];
+    }
+    return lines;
+  };
+  const auto minimised = special_functions("sfu_minimised");
+  ASSERT_EQ(minimised.size(), 2u);
+  EXPECT_EQ(minimised.rbegin()->second, 2);  // every contact
+  EXPECT_EQ(minimised.begin()->second, 2);   // those that slip
+  int of_branchy = 0;
+  for (const auto& [count, n_lines] : special_functions("branchy")) of_branchy += n_lines;
+  EXPECT_GE(of_branchy, 8);
 }
 
 // All kernels, checked: accesses in bounds, no races, barriers that all reach.

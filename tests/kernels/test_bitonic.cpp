@@ -8,13 +8,13 @@
 #include "kernels/layout.h"
 #include "variants/kernel_sources.hpp"
 #include "variants/opencl_device.hpp"
-#include "variants/step_plan.hpp"
+#include "variants/sorts.hpp"
 
 namespace warpgrain {
 namespace {
 
-TEST(SortKeys, SortsAsTheStandardLibraryDoes) {
-  const std::vector<std::string> files{"sort_keys.cl"};
+TEST(Bitonic, SortsAsTheStandardLibraryDoes) {
+  const std::vector<std::string> files{"sort/bitonic.cl"};
   const auto device = open_opencl_device({}, false);
   device->build({{KernelSources().bundle(files), "-cl-std=CL1.2"}});
   for (const std::uint32_t n_keys :
@@ -29,7 +29,7 @@ TEST(SortKeys, SortsAsTheStandardLibraryDoes) {
       std::vector<std::uint64_t> sorted(n_keys);
       device->allocate(DeviceArray::cell_keys, 8 * keys.size());
       device->write(DeviceArray::cell_keys, std::as_bytes(std::span(keys)));
-      for (const KernelLaunch& launch : sort_launches(0, n_keys)) device->launch(launch);
+      for (const KernelLaunch& launch : bitonic_launches(0, n_keys)) device->launch(launch);
       device->read(DeviceArray::cell_keys, std::as_writable_bytes(std::span(sorted)));
       std::ranges::sort(keys);
       EXPECT_EQ(sorted, keys) << n_keys << " keys in " << n_cells << " cells";

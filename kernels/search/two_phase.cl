@@ -1,0 +1,38 @@
+// The forces between particles in two phases: each work-item first lists the partners that it touches, then
+// applies the law to one after the other, so that no lane waits in the law for a lane without a contact.
+
+#include "contact/contact_law.h"
+#include "pair.h"
+#include "particle_access.h"
+#include "prelude.h"
+#include "search/candidates.h"
+
+KERNEL void force_between_particles(const StepParameters p, GLOBAL const ulong* cell_keys,
+                                    GLOBAL const uint2* cell_ranges, GLOBAL uint* near,
+                                    GLOBAL const real4* position_radius, GLOBAL const real4* velocity_mass,
+                                    GLOBAL const real4* angular_velocity, GLOBAL const uint2* rank_material,
+                                    CONSTANT const real4* contact_parameters, GLOBAL real4* force,
+                                    GLOBAL real4* torque, GLOBAL uint2* contact_counts,
+                                    GLOBAL uint* status HISTORY_PARAMETERS) {
+  const uint self = work_item();
+  if (self >= p.n_particles) return;  // branch: beyond the last particle
+  const Particle particle =
+      load_particle(self, position_radius, velocity_mass, angular_velocity, rank_material);
+  const uint n_contacts =
+      list_near(p, self, &particle, REAL(0.0), cell_keys, cell_ranges, position_radius, near, status);
+
+  const LawParameters law = law_parameters(p, contact_parameters);
+  ContactHistory history = HISTORY_OF(self, particle.rank, 0);
+  ForceSum sum = gravity_alone(p, &particle);
+  for (uint k = 0; k < n_contacts; ++k) {  // branch: next contact
+    const uint other = near[k * p.n_particles + self];
+    const Pair pair = pair_with(&particle, position_radius[other]);
+    const Contact contact =
+        contact_of(&particle, &pair, other, velocity_mass, angular_velocity, rank_material);
+    apply_contact(&law, &particle, &contact, &history, &sum);
+  }
+
+  force[self] = make_real4(sum.force, REAL(0.0));
+  torque[self] = make_real4(sum.torque, REAL(0.0));
+  contact_counts[self] = make_uint2(n_contacts, 0);
+}

@@ -1,0 +1,81 @@
+// The forces between particles from neighbour lists with a skin: all particles whose surfaces were nearer
+// than it when the lists were made. They are complete until some particle has moved half the skin; the host
+// looks at every step whether one has, before the lists are used.
+
+#include "contact/contact_law.h"
+#include "pair.h"
+#include "particle_access.h"
+#include "prelude.h"
+#include "search/candidates.h"
+
+// Whether the lists may miss a contact: both partners may have moved towards each other, by half the skin
+// each, less some room for rounding. Written so that a NaN makes it so.
+KERNEL void check_lists(const StepParameters p, GLOBAL const real4* position_radius,
+                        GLOBAL const uint2* rank_material, GLOBAL const real4* listed_positions,
+                        GLOBAL uint* lists_outdated, GLOBAL uint* status) {
+  const uint particle = work_item();
+  if (particle >= p.n_particles) return;  // branch: beyond the last particle
+  is_inside(p, position_radius[particle], rank_material[particle].x, status);
+  const real3 moved = xyz(position_radius[particle]) - xyz(listed_positions[particle]);
+  const real limit = REAL(0.49) * p.skin;
+  if (!(dot(moved, moved) < limit * limit)) atomic_max(lists_outdated, 1u);  // branch: moved far
+}
+
+KERNEL void list_neighbours(const StepParameters p, GLOBAL const ulong* cell_keys,
+                            GLOBAL const uint2* cell_ranges, GLOBAL const real4* position_radius,
+                            GLOBAL const real4* velocity_mass, GLOBAL const real4* angular_velocity,
+                            GLOBAL const uint2* rank_material, GLOBAL uint* near, GLOBAL uint* near_counts,
+                            GLOBAL real4* listed_positions, GLOBAL uint* lists_outdated,
+                            GLOBAL uint* status) {
+  const uint self = work_item();
+  if (self == 0) *lists_outdated = 0;
+  if (self >= p.n_particles) return;  // branch: beyond the last particle
+  const Particle particle =
+      load_particle(self, position_radius, velocity_mass, angular_velocity, rank_material);
+  near_counts[self] =
+      list_near(p, self, &particle, p.skin, cell_keys, cell_ranges, position_radius, near, status);
+  listed_positions[self] = position_radius[self];
+}
+
+// Which of the listed neighbours touch goes into a word of bits, 32 at a time, so that no lane waits in the
+// law for a lane whose neighbour does not touch.
+KERNEL void force_between_particles(const StepParameters p, GLOBAL const uint* near,
+                                    GLOBAL const uint* near_counts, GLOBAL const real4* position_radius,
+                                    GLOBAL const real4* velocity_mass, GLOBAL const real4* angular_velocity,
+                                    GLOBAL const uint2* rank_material,
+                                    CONSTANT const real4* contact_parameters, GLOBAL real4* force,
+                                    GLOBAL real4* torque, GLOBAL uint2* contact_counts,
+                                    GLOBAL uint* status HISTORY_PARAMETERS) {
+  const uint self = work_item();
+  if (self >= p.n_particles) return;  // branch: beyond the last particle
+  const Particle particle =
+      load_particle(self, position_radius, velocity_mass, angular_velocity, rank_material);
+  const LawParameters law = law_parameters(p, contact_parameters);
+  ContactHistory history = HISTORY_OF(self, particle.rank, 0);
+  ForceSum sum = gravity_alone(p, &particle);
+  uint n_contacts = 0;
+
+  const uint n_near = near_counts[self];
+  for (uint first = 0; first < n_near; first += 32) {  // branch: next 32 neighbours
+    const uint n = min(n_near - first, 32u);
+    uint touching = 0;
+    for (uint k = 0; k < n; ++k) {  // branch: next neighbour
+      const Pair pair = pair_with(&particle, position_radius[near[(first + k) * p.n_particles + self]]);
+      touching |= pair.square < pair.reach * pair.reach ? 1u << k : 0;
+    }
+    while (touching != 0) {  // branch: next contact
+      const uint k = lowest_bit(touching);
+      touching &= touching - 1;
+      const uint other = near[(first + k) * p.n_particles + self];
+      const Pair pair = pair_with(&particle, position_radius[other]);
+      const Contact contact =
+          contact_of(&particle, &pair, other, velocity_mass, angular_velocity, rank_material);
+      apply_contact(&law, &particle, &contact, &history, &sum);
+      ++n_contacts;
+    }
+  }
+
+  force[self] = make_real4(sum.force, REAL(0.0));
+  torque[self] = make_real4(sum.torque, REAL(0.0));
+  contact_counts[self] = make_uint2(n_contacts, 0);
+}
