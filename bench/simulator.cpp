@@ -92,7 +92,9 @@ class ForceKernel {
       ptx_.push_back(compile_opencl(unit.text, "unit.cl", unit.build_options).ptx);
       declarations_.push_back(declaration_bitcode(unit.text, "unit.cl", unit.build_options));
     }
-    for (const PlanEntry& entry : plan.evaluate) {
+    std::vector<PlanEntry> entries = plan.map;
+    entries.insert(entries.end(), plan.forces.begin(), plan.forces.end());
+    for (const PlanEntry& entry : entries) {
       if (const auto* swap = std::get_if<ArraySwap>(&entry)) {
         std::swap(arrays_[swap->first], arrays_[swap->second]);
         continue;

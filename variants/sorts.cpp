@@ -13,9 +13,14 @@ using enum DeviceArray;
 void plan_bitonic(PlanBuilder& b) {
   for (KernelLaunch& sort : bitonic_launches(PlanBuilder::grid_unit, b.device().n_keys))
     b.add(std::move(sort));
+}
+void plan_ranges(PlanBuilder& b) {
   b.launch(PlanBuilder::grid_unit, "clear_cells", b.device().n_cells, cell_ranges);
   b.launch(PlanBuilder::grid_unit, "find_cells", b.device().n_particles, cell_keys, cell_ranges);
 }
+
+// Cells get their ranges from the sort itself.
+void no_ranges(PlanBuilder&) {}
 
 // The scan works on blocks of cells, then on their sums, then on the blocks again.
 void plan_counting(PlanBuilder& b) {
@@ -53,9 +58,9 @@ std::vector<KernelLaunch> bitonic_launches(std::size_t unit, std::uint32_t n_key
 std::span<const Sort> sorts() {
   static constexpr std::array<Sort, 2> rows{{
       {"bitonic", "the paper's: comparators in powers of two, a launch a long stride", "sort/bitonic.cl",
-       false, plan_bitonic},
+       false, plan_bitonic, plan_ranges},
       {"counting", "counts the particles of each cell, sums the counts and drops each particle in its place",
-       "sort/counting.cl", true, plan_counting},
+       "sort/counting.cl", true, plan_counting, no_ranges},
   }};
   return rows;
 }

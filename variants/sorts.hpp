@@ -16,10 +16,10 @@ class PlanBuilder;
 struct Sort {
   std::string_view name;  // value of the axis `sort`
   std::string_view summary;
-  std::string_view file;  // in kernels/
-  bool needs_space;       // keys before and after, and sums of blocks
-  // Adds the launches that sort cell_keys, and make cell_ranges of them.
-  void (*plan)(PlanBuilder&);
+  std::string_view file;              // in kernels/
+  bool needs_space;                   // keys before and after, and sums of blocks
+  void (*plan_sort)(PlanBuilder&);    // adds the launches that sort cell_keys
+  void (*plan_ranges)(PlanBuilder&);  // and, after the particles have been moved, those that make cell_ranges
 };
 
 std::span<const Sort> sorts();

@@ -71,11 +71,12 @@ void reorder(PlanBuilder& b) {
 void make_map(PlanBuilder& b, const Variant& variant) {
   b.launch(PlanBuilder::grid_unit, "map_particles", b.device().n_keys, position_radius, rank_material,
            cell_keys, particle_of_rank, status);
-  sort_of(variant).plan(b);
+  sort_of(variant).plan_sort(b);
   if (order_of(variant).moves_particles)
     reorder(b);
   else
     swap_history(b);
+  sort_of(variant).plan_ranges(b);
 }
 
 }  // namespace
