@@ -17,6 +17,8 @@ void add_profile_command(CLI::App& app, Action& chosen);
 void add_sweep_command(CLI::App& app, Action& chosen);
 void add_measure_command(CLI::App& app, Action& chosen);
 void add_paper_command(CLI::App& app, Action& chosen);
+void add_report_command(CLI::App& app, Action& chosen);
+void add_merge_command(CLI::App& app, Action& chosen);
 
 // The whole command, ready to parse.
 std::unique_ptr<CLI::App> make_app(Action& chosen);

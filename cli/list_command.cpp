@@ -19,8 +19,8 @@
 #include "core/scene.hpp"
 #include "reports/metrics.hpp"
 #include "variants/axes.hpp"
-#include "variants/combinations.hpp"
 #include "variants/backend.hpp"
+#include "variants/combinations.hpp"
 
 namespace warpgrain::cli {
 namespace {

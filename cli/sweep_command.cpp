@@ -23,6 +23,7 @@
 #include "core/error.hpp"
 #include "core/file_io.hpp"
 #include "reports/html/sweep_page.hpp"
+#include "reports/merged_sweeps.hpp"
 #include "reports/sweep_columns.hpp"
 #include "reports/sweep_index.hpp"
 #include "reports/text_sweep.hpp"
@@ -44,8 +45,6 @@ struct Options {
   unsigned jobs = 1;
 };
 
-constexpr const char* index_name = "index.json";
-
 // The index on disk: rewritten after every case, so that an interrupted sweep leaves what it has.
 class IndexFile {
  public:
@@ -55,7 +54,7 @@ class IndexFile {
   // Cases of an earlier sweep of the same state; throws InputError when the folder holds a sweep of another
   // one.
   void resume() {
-    const auto path = folder_ / index_name;
+    const auto path = folder_ / reports::sweep_index_name;
     if (!std::filesystem::exists(path)) return;
     const reports::SweepIndex earlier = reports::read_sweep(path);
     if (earlier.scene != index_.scene || earlier.particles != index_.particles || earlier.step != index_.step)
@@ -71,7 +70,7 @@ class IndexFile {
   }
   void put(reports::SweepCase done) {
     index_.cases.push_back(std::move(done));
-    write_file_atomically(folder_ / index_name, reports::sweep_json(index_));
+    write_file_atomically(folder_ / reports::sweep_index_name, reports::sweep_json(index_));
   }
   // In the order of the tables, whoever came first.
   void sort(const std::vector<Variant>& order) {
@@ -83,7 +82,7 @@ class IndexFile {
     };
     std::stable_sort(index_.cases.begin(), index_.cases.end(),
                      [&](const auto& a, const auto& b) { return place(a) < place(b); });
-    write_file_atomically(folder_ / index_name, reports::sweep_json(index_));
+    write_file_atomically(folder_ / reports::sweep_index_name, reports::sweep_json(index_));
   }
   const reports::SweepIndex& index() const { return index_; }
 
@@ -212,8 +211,9 @@ class Sweep {
     write_file_atomically(setting_.folder / "index.html", reports::sweep_page(index));
     if (!options_.output.json.empty()) write_output(options_.output.json, reports::sweep_json(index));
     if (options_.output.summary())
-      std::cout << reports::text_sweep(index) << "\nreports: " << (setting_.folder / index_name).string()
-                << ", " << (setting_.folder / "index.html").string() << ", and a report a case beside them\n";
+      std::cout << reports::text_sweep(index)
+                << "\nreports: " << (setting_.folder / reports::sweep_index_name).string() << ", "
+                << (setting_.folder / "index.html").string() << ", and a report a case beside them\n";
     for (const std::string& trouble : reports::troubles_of(index)) std::cerr << trouble << '\n';
     for (const reports::SweepCase& row : index.cases)
       if (row.status == reports::CaseStatus::failed) return 2;

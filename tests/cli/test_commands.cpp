@@ -239,6 +239,23 @@ TEST_F(Commands, SweepResumesAndShards) {
   const reports::SweepIndex half = reports::read_sweep(path("b/index.json"));
   ASSERT_EQ(half.cases.size(), 1u);
   EXPECT_EQ(half.cases[0].variant, all.cases[1].variant);
+  // Joined and shown, without running anything again.
+  ASSERT_EQ(call({"merge", path("b"), path("a"), "--out", path("c"), "--quiet"}), 0) << err_;
+  EXPECT_EQ(reports::read_sweep(path("c/index.json")).cases.size(), 2u);
+  for (const reports::SweepCase& row : all.cases)
+    EXPECT_TRUE(std::filesystem::exists(path("c/" + row.report_file.value())));
+  ASSERT_EQ(call({"report", path("c"), "--html", path("c.html"), "--csv", path("c.csv"), "--markdown"}), 0)
+      << err_;
+  for (const reports::SweepCase& row : all.cases) {
+    EXPECT_THAT(out_, HasSubstr("| `" + row.variant + "` |"));
+    EXPECT_THAT(read("c.csv"), HasSubstr("\n" + row.variant + ",done,"));
+    EXPECT_THAT(read("c.html"), HasSubstr(row.variant));
+  }
+  ASSERT_EQ(call({"report", path("a/" + all.cases[0].report_file.value())}), 0) << err_;
+  EXPECT_THAT(out_, HasSubstr("where lanes idled"));
+  EXPECT_EQ(call({"report", path("a/" + all.cases[0].report_file.value()), "--markdown"}), 2);
+  EXPECT_EQ(call({"merge", path("none"), "--out", path("c")}), 2);
+  EXPECT_THAT(err_, HasSubstr("none/index.json"));
   // The other half is added to what is there, and what is there stays untouched.
   const auto written = std::filesystem::last_write_time(path("b/" + half.cases[0].report_file.value()));
   ASSERT_EQ(call(with({"--out", path("b"), "--resume", "--jobs", "2"})), 0) << err_;

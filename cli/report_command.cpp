@@ -1,0 +1,86 @@
+// `warpgrain report`: a document that is there already, for people.
+
+#include <array>
+#include <filesystem>
+#include <fmt/format.h>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "cli/app.hpp"
+#include "cli/common_options.hpp"
+#include "cli/help_text.hpp"
+#include "cli/output.hpp"
+#include "core/error.hpp"
+#include "reports/document_format.hpp"
+#include "reports/html/report_page.hpp"
+#include "reports/html/sweep_page.hpp"
+#include "reports/merged_sweeps.hpp"
+#include "reports/report_json.hpp"
+#include "reports/run_report.hpp"
+#include "reports/table_files.hpp"
+#include "reports/text_report.hpp"
+#include "reports/text_run.hpp"
+#include "reports/text_sweep.hpp"
+
+namespace warpgrain::cli {
+namespace {
+
+struct Options {
+  std::string document;
+  std::string html, csv;
+  bool markdown = false;
+  bool quiet = false;
+};
+
+void refuse(const std::string& option, const std::string& format, const char* expected) {
+  throw_input_error(option, fmt::format("a document of {}", format), expected);
+}
+
+int render_sweep(const Options& options, const std::filesystem::path& file) {
+  const reports::SweepIndex index = reports::read_sweep(file);
+  if (!options.html.empty()) write_output(options.html, reports::sweep_page(index));
+  if (!options.csv.empty()) write_output(options.csv, reports::csv_sweep(index));
+  if (options.markdown)
+    std::cout << reports::markdown_sweep(index);
+  else if (!options.quiet && options.html != "-" && options.csv != "-")
+    std::cout << reports::text_sweep(index);
+  return 0;
+}
+
+int render(const Options& options) {
+  std::filesystem::path file = options.document;
+  if (std::filesystem::is_directory(file)) file /= reports::sweep_index_name;
+  const std::string format = reports::format_of(file);
+  if (format == reports::sweep_format) return render_sweep(options, file);
+  if (options.markdown) refuse("--markdown", format, "a sweep");
+  if (!options.csv.empty()) refuse("--csv", format, "a sweep");
+  const bool show = !options.quiet && options.html != "-";
+  if (format == reports::report_format) {
+    const reports::Report report = reports::read_report(file);
+    if (!options.html.empty()) write_output(options.html, reports::report_page(report));
+    if (show) std::cout << reports::text_report(report);
+  } else if (format == reports::run_format) {
+    if (!options.html.empty()) refuse("--html", format, "a report or a sweep");
+    if (show) std::cout << reports::text_run(reports::read_run(file));
+  } else {
+    const std::array known{reports::report_format, reports::run_format, reports::sweep_format};
+    throw_unknown_name(file.string(), "format", format, known);
+  }
+  return 0;
+}
+
+}  // namespace
+
+void add_report_command(CLI::App& app, Action& chosen) {
+  auto options = std::make_shared<Options>();
+  CLI::App& command = *app.add_subcommand("report", help_text().summary("report"));
+  add_option(command, "document", options->document)->required();
+  add_option(command, "--html", options->html);
+  add_option(command, "--csv", options->csv);
+  add_flag(command, "--markdown", options->markdown);
+  add_flag(command, "--quiet", options->quiet);
+  command.callback([options, &chosen] { chosen = [options] { return render(*options); }; });
+}
+
+}  // namespace warpgrain::cli
