@@ -58,6 +58,7 @@ std::unique_ptr<CLI::App> make_app(Action& chosen) {
   app->require_subcommand(1);
   add_list_command(*app, chosen);
   add_run_command(*app, chosen);
+  add_compare_command(*app, chosen);
 #ifdef WARPGRAIN_HAS_SIMULATOR
   add_profile_command(*app, chosen);
   add_sweep_command(*app, chosen);

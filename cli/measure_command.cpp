@@ -1,14 +1,18 @@
-// `warpgrain measure`: times of a launch on a CUDA device.
+// `warpgrain measure`: times and counters of a launch or of a scene's step on a real device.
 
+#include <fmt/format.h>
 #include <iostream>
 #include <memory>
 
 #include "cli/app.hpp"
 #include "cli/common_options.hpp"
 #include "cli/help_text.hpp"
+#include "cli/measure_counters.hpp"
 #include "cli/measure_launch.hpp"
+#include "cli/measure_scene.hpp"
 #include "cli/output.hpp"
 #include "core/error.hpp"
+#include "reports/benchmark_json.hpp"
 #include "reports/text_measured.hpp"
 
 namespace warpgrain::cli {
@@ -16,7 +20,13 @@ namespace {
 
 struct Options {
   LaunchMeasurement launch;
+  SceneOptions scene;
+  VariantOptions variant;
+  DeviceOptions device;
+  SceneMeasurement step;
   double tolerance = 1e-5;
+  bool counters = false;
+  std::string benchmark_json;
   OutputOptions output;
 };
 
@@ -27,10 +37,64 @@ bool agrees(const reports::MeasuredReport& report, double tolerance) {
   return true;
 }
 
-int measure(const Options& options) {
+// The call again that a profiler watches: what decides what runs, and nothing that decides what is written.
+std::vector<std::string> marked_call(const Options& options, const Scene* scene, const Variant* variant) {
+  std::vector<std::string> words{"measure", "--mark", "--repeats", "1", "--warm-up", "0", "--quiet"};
+  const auto add = [&words](const std::string& option, const std::string& value) {
+    if (!value.empty()) words.insert(words.end(), {option, value});
+  };
+  add("--device", options.device.device);
+  if (scene == nullptr) {
+    words.push_back(options.launch.launch);
+    add("--build-options", options.launch.build_options);
+    add("--assembler", options.launch.assembler);
+    return words;
+  }
+  add("--scene", options.scene.scene);
+  if (options.scene.particles) add("--particles", fmt::format("{}", *options.scene.particles));
+  if (options.scene.seed) add("--seed", fmt::format("{}", *options.scene.seed));
+  add("--variant", variant->name());
+  add("--backend", options.step.backend);
+  add("--kernels", options.device.kernels);
+  add("--steps", "1");
+  add("--at-step", fmt::format("{}", options.step.at_step));
+  return words;
+}
+
+reports::MeasuredReport measured_scene(Options& options) {
+  const Scene scene = options.scene.load();
+  const Variant variant = options.variant.resolve(scene);
+  if (options.counters && options.step.backend != "cuda")
+    throw_input_error("--counters", fmt::format("--backend {}", options.step.backend),
+                      "--backend cuda: Nsight Compute counts no other");
+  options.step.options = options.device.backend_options();
+  options.step.warm_up = options.launch.warm_up;
+  options.step.repeats = options.launch.repeats;
+  options.step.mark = options.launch.mark;
+  Progress progress(options.output.quiet);
+  reports::MeasuredReport report = measure_scene(scene, variant, options.step, progress);
+  if (options.counters) count_with_ncu(marked_call(options, &scene, &variant), report);
+  return report;
+}
+
+reports::MeasuredReport measured_launch(Options& options) {
+  options.launch.device = options.device.device;
+  reports::MeasuredReport report = measure_launch(options.launch);
+  if (options.counters) count_with_ncu(marked_call(options, nullptr, nullptr), report);
+  return report;
+}
+
+int measure(Options options) {
   if (options.launch.repeats == 0) throw_input_error("--repeats", "0", "a number above 0");
-  const reports::MeasuredReport report = measure_launch(options.launch);
+  if (options.step.steps == 0) throw_input_error("--steps", "0", "a number above 0");
+  if (options.launch.launch.empty() == options.scene.scene.empty())
+    throw_input_error("warpgrain measure",
+                      options.launch.launch.empty() ? "nothing to measure" : "both a launch file and --scene",
+                      "either a launch file (.sim) or --scene FILE|NAME");
+  const reports::MeasuredReport report =
+      options.launch.launch.empty() ? measured_scene(options) : measured_launch(options);
   if (!options.output.json.empty()) write_output(options.output.json, reports::measured_json(report));
+  if (!options.benchmark_json.empty()) write_output(options.benchmark_json, reports::benchmark_json(report));
   if (options.output.summary()) std::cout << reports::text_measured(report);
   return agrees(report, options.tolerance) ? 0 : 1;
 }
@@ -39,16 +103,25 @@ int measure(const Options& options) {
 
 void add_measure_command(CLI::App& app, Action& chosen) {
   auto options = std::make_shared<Options>();
+  options->step.backend = "opencl";
   CLI::App& command = *app.add_subcommand("measure", help_text().summary("measure"));
-  add_option(command, "launch", options->launch.launch)->required();
+  add_option(command, "launch", options->launch.launch);
   add_option(command, "--build-options", options->launch.build_options);
-  add_option(command, "--device", options->launch.device);
-  add_option(command, "--repeats", options->launch.repeats);
-  add_option(command, "--warm-up", options->launch.warm_up);
   add_option(command, "--assembler", options->launch.assembler);
   add_option(command, "--keep", options->launch.keep);
   add_flag(command, "--check", options->launch.check);
   add_option(command, "--tolerance", options->tolerance);
+  options->scene.add_to(command);
+  add_option(command, "--backend", options->step.backend);
+  add_option(command, "--at-step", options->step.at_step);
+  add_option(command, "--steps", options->step.steps);
+  add_option(command, "--repeats", options->launch.repeats);
+  add_option(command, "--warm-up", options->launch.warm_up);
+  add_flag(command, "--counters", options->counters);
+  add_flag(command, "--mark", options->launch.mark);
+  add_option(command, "--benchmark-json", options->benchmark_json);
+  options->variant.add_to(command);
+  options->device.add_to(command);
   options->output.add_to(command);
   command.callback([options, &chosen] { chosen = [options] { return measure(*options); }; });
 }

@@ -79,6 +79,7 @@ reports::MeasuredReport measure_launch(const LaunchMeasurement& what) {
   kernel.local_size = {x, y, z};
   for (unsigned k = 0; k < what.warm_up; ++k) launch.run();
   for (unsigned k = 0; k < what.repeats; ++k) kernel.seconds.push_back(launch.run());
+  if (what.mark) launch.run_marked();
   kernel.code = {program.assembler, reports::text_hash(loaded.program.ptx),
                  static_cast<std::uint64_t>(launch.function().registers()),
                  static_cast<std::uint64_t>(launch.shared_bytes()),

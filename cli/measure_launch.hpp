@@ -14,6 +14,7 @@ struct LaunchMeasurement {
   std::string keep;                  // folder for what was assembled; empty: none
   unsigned warm_up = 3, repeats = 20;
   bool check = false;  // hold the buffers against the simulator's
+  bool mark = false;   // run once more, for a profiler
 };
 
 // Prints the dumped arguments to stdout. Throws InputError for a launch that cannot be run there.

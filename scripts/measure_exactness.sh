@@ -65,7 +65,7 @@ END
 metrics=${metrics%,}
 
 run_launches() {
-  local launches out=$2 warpgrain=$3 limit=${SECONDS_LIMIT:-100000} launch name kernel work failed=()
+  local launches out=$2 warpgrain=$3 limit=${SECONDS_LIMIT:-100000} launch name work failed=()
   launches=$(realpath "$1")
   work=$(mktemp -d)
   mkdir -p "$out" "$work"/{launches,code,reports,driver_reports,counters,driver_counters,instructions,times,logs}
@@ -81,8 +81,8 @@ run_launches() {
   count() { # REPORT ASSEMBLER NCU-OPTIONS...
     local report=$1 assembler=$2
     shift 2
-    ncu --clock-control none --target-processes all --kernel-name "$kernel" --launch-count 1 "$@" -f -o "$report" \
-      "$warpgrain" measure "$launch" --assembler "$assembler" --repeats 1 --warm-up 0 --quiet 2>&1 |
+    ncu --clock-control none --target-processes all --profile-from-start off "$@" -f -o "$report" \
+      "$warpgrain" measure "$launch" --assembler "$assembler" --mark --repeats 1 --warm-up 0 --quiet 2>&1 |
       without_dumps >>"$work/logs/$name.txt"
   }
   while read -r launch; do
@@ -93,7 +93,6 @@ run_launches() {
       failed+=("$name: not run, out of time")
       continue
     fi
-    kernel=$(awk 'NF { if (++n == 2) { print $1; exit } }' "$launch")
     cp "$launch" "$work/launches/$name.sim"
     if ! "$warpgrain" measure "$launch" --assembler ptxas --keep "$work/kept" --check --repeats 10 --quiet \
       --json "$work/times/$name.json" 2>&1 | without_dumps >"$work/logs/$name.txt"; then

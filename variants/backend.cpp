@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/error.hpp"
+#include "variants/backend_cuda.hpp"
 #include "variants/backend_host.hpp"
 #include "variants/backend_opencl.hpp"
 #include "variants/backend_simt.hpp"
@@ -11,7 +12,7 @@
 namespace warpgrain {
 
 std::span<const Backend> backends() {
-  static const std::array<Backend, 3> table{host_backend, opencl_backend, simt_backend};
+  static const std::array<Backend, 4> table{host_backend, opencl_backend, cuda_backend, simt_backend};
   return table;
 }
 

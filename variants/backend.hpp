@@ -1,6 +1,7 @@
 #pragma once
 // A back end runs a variant of the model on a scene. `host` is the C++ reference, `opencl` any ICD device,
-// `simt` the simulator. Users hold a Simulation and never ask which it is.
+// `cuda` one that CUDA's driver finds, `simt` the simulator. Users hold a Simulation and never ask which it
+// is.
 
 #include <cstdint>
 #include <memory>
@@ -35,14 +36,16 @@ class Simulation {
   virtual std::uint64_t steps_done() const = 0;
   virtual std::vector<KernelTiming> timings() const = 0;  // in order of first use
   virtual std::string device() const = 0;                 // as the device calls itself
+  virtual std::string driver() const { return {}; }       // its version; empty where there is none
 };
 
 struct BackendOptions {
-  std::string
-      device;  // substring of an OpenCL device or platform name; empty: the first PoCL device, else the first
+  std::string device;    // substring of a device's name, or of an OpenCL platform's; empty: the first PoCL
+                         // device, else the first
   unsigned threads = 0;  // host and simt: worker threads, 0 = all cores
   std::string
       kernel_folder;  // files there (below it as below kernels/) shadow the kernels of the build; empty: none
+  bool time_kernels = true;  // whether timings() has anything to say; cuda: costs a little for each launch
 };
 
 struct Backend {

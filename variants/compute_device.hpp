@@ -27,6 +27,7 @@ class ComputeDevice {
   virtual void finish() = 0;
   virtual std::vector<KernelTiming> timings() const = 0;
   virtual std::string name() const = 0;
+  virtual std::string driver() const { return {}; }  // its version; empty where there is none
 };
 
 }  // namespace warpgrain

@@ -56,6 +56,8 @@ std::string find_entry_points(void* library, CudaApi& api) {
   find(api.event_synchronize, "cuEventSynchronize");
   find(api.event_elapsed, "cuEventElapsedTime");
   find(api.event_destroy, "cuEventDestroy_v2");
+  find(api.profiler_start, "cuProfilerStart");
+  find(api.profiler_stop, "cuProfilerStop");
   find(api.error_name, "cuGetErrorName");
   find(api.error_text, "cuGetErrorString");
   return missing;

@@ -46,6 +46,8 @@ struct CudaApi {
   CudaResult (*event_synchronize)(CudaHandle event);
   CudaResult (*event_elapsed)(float* milliseconds, CudaHandle begin, CudaHandle end);
   CudaResult (*event_destroy)(CudaHandle event);
+  CudaResult (*profiler_start)();
+  CudaResult (*profiler_stop)();
   CudaResult (*error_name)(CudaResult result, const char** name);
   CudaResult (*error_text)(CudaResult result, const char** text);
 };

@@ -191,6 +191,13 @@ CudaFunction CudaModule::function(const std::string& name) const {
   return {*device_, handle, name};
 }
 
+CudaProfilerRange::CudaProfilerRange() { check_cuda(cuda_api().profiler_start(), "cuda", "cuProfilerStart"); }
+
+CudaProfilerRange::~CudaProfilerRange() {
+  cuda_api().context_synchronize();
+  cuda_api().profiler_stop();
+}
+
 CudaEvent::CudaEvent(const CudaDevice& device) : device_(&device) {
   device.check(cuda_api().event_create(&handle_, 0), "cuEventCreate");
 }

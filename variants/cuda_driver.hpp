@@ -97,6 +97,16 @@ class CudaModule {
   CudaHandle handle_ = nullptr;
 };
 
+// What a profiler is to look at, as `ncu --profile-from-start off` waits for it. Waits for what was launched
+// before it ends.
+class CudaProfilerRange {
+ public:
+  CudaProfilerRange();
+  ~CudaProfilerRange();
+  CudaProfilerRange(const CudaProfilerRange&) = delete;
+  CudaProfilerRange& operator=(const CudaProfilerRange&) = delete;
+};
+
 // A mark in the stream.
 class CudaEvent {
  public:

@@ -85,13 +85,28 @@ void CudaLaunch::place_shared_memory(const profiler::KernelSignature& signature,
   added_shared_bytes_ = end;
 }
 
-double CudaLaunch::run() {
+void CudaLaunch::restore() {
   for (Buffer& buffer : buffers_) buffer.now.copy_from(buffer.first);
+}
+
+void CudaLaunch::launch() {
   std::vector<void*> parameters;
   for (std::vector<std::byte>& value : values_) parameters.push_back(value.data());
+  function_.launch(shape_.group_count(), shape_.local_size, added_shared_bytes_, parameters);
+}
+
+void CudaLaunch::run_marked() {
+  restore();
+  device_->synchronize();
+  const CudaProfilerRange range;
+  launch();
+}
+
+double CudaLaunch::run() {
+  restore();
   delay_.launch(delay_seconds);
   begin_.record();
-  function_.launch(shape_.group_count(), shape_.local_size, added_shared_bytes_, parameters);
+  launch();
   end_.record();
   const double seconds = end_.seconds_since(begin_);
   device_->synchronize();

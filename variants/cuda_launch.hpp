@@ -24,6 +24,8 @@ class CudaLaunch {
 
   // Gives the buffers their first contents, runs the kernel and waits for it. Seconds on the device's clock.
   double run();
+  // The same for a profiler, which sees the kernel alone.
+  void run_marked();
   // What argument `k`, a buffer, holds now. [its size]
   void read(std::size_t k, std::span<std::byte> bytes) const { buffers_[k].now.read(bytes); }
   const CudaFunction& function() const { return function_; }
@@ -35,6 +37,8 @@ class CudaLaunch {
     CudaMemory first, now;
   };
 
+  void restore();
+  void launch();
   void place_shared_memory(const profiler::KernelSignature& signature,
                            std::span<const profiler::KernelArgument> arguments);
 

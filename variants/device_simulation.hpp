@@ -23,6 +23,7 @@ class DeviceSimulation : public Simulation {
   std::uint64_t steps_done() const override { return steps_done_; }
   std::vector<KernelTiming> timings() const override { return device_->timings(); }
   std::string device() const override { return device_->name(); }
+  std::string driver() const override { return device_->driver(); }
 
  private:
   void run(const std::vector<PlanEntry>& entries);

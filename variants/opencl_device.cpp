@@ -134,6 +134,7 @@ class OpenclDevice : public ComputeDevice {
 
   std::vector<KernelTiming> timings() const override { return timings_; }
   std::string name() const override { return name_; }
+  std::string driver() const override { return device_.getInfo<CL_DRIVER_VERSION>(); }
 
  private:
   struct BuiltKernel {

@@ -6,6 +6,7 @@
 
 #include "../cli/command_fixture.hpp"
 #include "core/error.hpp"
+#include "reports/benchmark_json.hpp"
 #include "reports/measured_report.hpp"
 #include "variants/cuda_program.hpp"
 
@@ -19,7 +20,7 @@ class Cuda : public CommandTest {
   // Four buffers, scalars of several sizes and three dimensions.
   std::string write_launch() {
     write("k.cl",
-          "kernel void weigh(global const float* in, float weight, global int* out, uchar shift, ulong n) {\n"
+          "kernel void weigh(constant float* in, float weight, global int* out, uchar shift, ulong n) {\n"
           "  const size_t i = (get_global_id(2) * get_global_size(1) + get_global_id(1)) * "
           "get_global_size(0) +\n"
           "                   get_global_id(0);\n"
@@ -72,12 +73,50 @@ TEST_F(Cuda, KeepsWhatItLoads) {
   EXPECT_THAT(read("kept/k.ptx"), testing::Not(HasSubstr("texmode_independent")));
 }
 
+// Both run the same PTX in the simulator.
+TEST_F(Cuda, BackEndGivesTheSimulatorsState) {
+  for (const char* backend : {"cuda", "simt"})
+    ASSERT_EQ(call({"run", "--scene", "head_on", "--steps", "40", "--backend", backend, "--state",
+                    path(std::string(backend) + ".csv"), "--json", path("run.json"), "--quiet"}),
+              0)
+        << err_;
+  EXPECT_EQ(read("cuda.csv"), read("simt.csv"));
+  EXPECT_NE(read("cuda.csv"), "");
+}
+
+TEST_F(Cuda, MeasureTimesAStepAndItsKernels) {
+  ASSERT_EQ(call({"measure", "--scene", "head_on", "--backend", "cuda", "--at-step", "4", "--repeats", "3",
+                  "--warm-up", "1", "--steps", "2", "--mark", "--json", path("m.json"), "--benchmark-json",
+                  path("b.json")}),
+            0)
+      << err_;
+  EXPECT_THAT(out_, HasSubstr("million particle-steps/s"));
+  const reports::MeasuredReport measured = reports::read_measured(path("m.json"));
+  EXPECT_EQ(measured.scene, "head_on");
+  EXPECT_THAT(measured.device.driver, HasSubstr("CUDA 13.0"));
+  ASSERT_TRUE(measured.step);
+  EXPECT_EQ(measured.step->steps, 2u);
+  EXPECT_EQ(measured.step->seconds.size(), 3u);
+  const auto sort =
+      std::ranges::find(measured.kernels, "sort_blocks", &reports::MeasuredReport::Kernel::kernel);
+  ASSERT_NE(sort, measured.kernels.end());
+  EXPECT_EQ(sort->calls, 1u);
+  EXPECT_EQ(sort->seconds.size(), 3u);
+  const auto times = reports::read_benchmark_json(path("b.json"));
+  ASSERT_EQ(times.size(), measured.kernels.size() + 1);
+  EXPECT_EQ(times[0].name, "step");
+  EXPECT_NEAR(times[0].seconds[1], measured.step->seconds[1], 1e-12);
+}
+
 TEST_F(Cuda, RefusesInOneLine) {
   const std::string launch = write_launch();
   EXPECT_EQ(call({"measure", launch, "--assembler", "nvcc"}), 2);
   EXPECT_THAT(err_, HasSubstr("--assembler: unknown assembler 'nvcc'; valid: driver, ptxas"));
   EXPECT_EQ(call({"measure", launch, "--device", "tpu"}), 2);
   EXPECT_THAT(err_, HasSubstr("valid: Test device"));
+  EXPECT_EQ(call({"measure", "--scene", "head_on", "--counters"}), 2);
+  EXPECT_THAT(err_, HasSubstr("--backend cuda"));
+  EXPECT_EQ(call({"measure", launch, "--scene", "head_on"}), 2);
   EXPECT_EQ(call({"measure", launch, "--repeats", "0"}), 2);
   EXPECT_EQ(error_lines(), 1u);
 }

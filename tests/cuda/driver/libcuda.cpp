@@ -112,6 +112,9 @@ int cuEventElapsedTime(float* milliseconds, void* begin, void* end) {
 }
 int cuEventDestroy_v2(void* event) { return delete static_cast<Event*>(event), 0; }
 
+int cuProfilerStart() { return 0; }
+int cuProfilerStop() { return 0; }
+
 int cuGetErrorName(int result, const char** name) {
   *name = result == invalid_image ? "CUDA_ERROR_INVALID_IMAGE"
           : result == not_found   ? "CUDA_ERROR_NOT_FOUND"
