@@ -37,9 +37,10 @@ const std::string heading =
     "\n";
 
 TEST_F(NcuCsv, RowsBecomeLaunches) {
-  const auto launches = read("==PROF== Connected\nan application's line\n" + heading +
-                             R"("0","77","force(const float4 *, int)","(32, 1, 1)","1,234,567","27.5","a ""GPU""")" +
-                             "\r\n" + R"("1","77","sort","(1, 1, 1)","12","n/a","b")" + "\n");
+  const auto launches =
+      read("==PROF== Connected\nan application's line\n" + heading +
+           R"x("0","77","force(const float4 *, int)","(32, 1, 1)","1,234,567","27.5","a ""GPU""")x" + "\r\n" +
+           R"x("1","77","sort","(1, 1, 1)","12","n/a","b")x" + "\n");
   ASSERT_EQ(launches.size(), 2u);
   EXPECT_EQ(launches[0].kernel, "force");
   EXPECT_THAT(launches[0].metrics,
