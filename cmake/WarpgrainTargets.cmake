@@ -1,4 +1,4 @@
-# warpgrain_library(NAME [LINK target...]): a static library of every .cpp below the current folder.
+# warpgrain_library(NAME [UNITY n] [LINK target...]): a static library of every .cpp below the current folder.
 # Sources are found, not listed, so that a new file needs no second place to be named in.
 
 add_library(warpgrain_options INTERFACE)
@@ -12,21 +12,36 @@ if(WARPGRAIN_SANITIZE)
   target_link_options(warpgrain_options INTERFACE -fsanitize=${WARPGRAIN_SANITIZE})
 endif()
 
-# Most of a clean build is reading headers, so several sources go to the compiler as one (-DCMAKE_UNITY_BUILD=OFF for
-# work on single files). Names in a library's unnamed namespaces therefore differ.
+# Most of a clean build is reading headers, so where it pays several sources go to the compiler as one
+# (-DCMAKE_UNITY_BUILD=OFF for work on single files). Names in the unnamed namespaces of a group therefore differ. A
+# source's group follows from its name alone, so that a new file changes no other's.
 if(NOT DEFINED CMAKE_UNITY_BUILD)
   set(CMAKE_UNITY_BUILD ON)
 endif()
-set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
+function(warpgrain_unity target n_groups)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+  if(NOT n_groups)
+    return()
+  endif()
+  get_target_property(sources ${target} SOURCES)
+  foreach(source IN LISTS sources)
+    get_filename_component(name "${source}" NAME)
+    string(MD5 hash "${name}")
+    string(SUBSTRING "${hash}" 0 6 digits)
+    math(EXPR group "0x${digits} % ${n_groups}")
+    set_source_files_properties("${source}" PROPERTIES UNITY_GROUP "${group}")
+  endforeach()
+endfunction()
 
 function(warpgrain_library name)
-  cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+  cmake_parse_arguments(ARG "" "UNITY" "LINK" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
   list(FILTER sources EXCLUDE REGEX "/program/")  # main functions are not library code
   if(sources)
     add_library(${name} STATIC ${sources})
     set(scope PUBLIC)
     target_link_libraries(${name} PRIVATE warpgrain_options)
+    warpgrain_unity(${name} "${ARG_UNITY}")
   else()
     add_library(${name} INTERFACE)
     set(scope INTERFACE)
@@ -64,10 +79,10 @@ function(warpgrain_embed_bytes target)
   target_sources(${target} PRIVATE "${out}")
 endfunction()
 
-# warpgrain_test(FOLDER [LINK target...]): one test program of tests/FOLDER/*.cpp, its cases known to CTest. Of a folder
+# warpgrain_test(FOLDER [UNITY n] [LINK target...]): one test program of tests/FOLDER/*.cpp, its cases known to CTest. Of a folder
 # A/B the program is test_A_B.
 function(warpgrain_test folder)
-  cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+  cmake_parse_arguments(ARG "" "UNITY" "LINK" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp")
   if(NOT sources)
     return()
@@ -75,6 +90,7 @@ function(warpgrain_test folder)
   string(REPLACE "/" "_" program "test_${folder}")
   add_executable(${program} ${sources})
   target_link_libraries(${program} PRIVATE warpgrain_options GTest::gtest_main GTest::gmock ${ARG_LINK})
+  warpgrain_unity(${program} "${ARG_UNITY}")
   # Tests spend their time in the libraries, builds theirs in the tests.
   target_compile_options(${program} PRIVATE $<$<CONFIG:Release>:-O1>)
   # Only files that name a path get it: the others are the same in every checkout, which is what ccache asks for.

@@ -18,13 +18,13 @@ bool makes_number(const Statement& s) {
   return opcodes.contains(s.opcode);
 }
 
-ScalarType last_type(const Statement& s) {
+ScalarType accessed_type(const Statement& s) {
   for (auto m = s.modifiers.rbegin(); m != s.modifiers.rend(); ++m)
     if (const auto type = scalar_type(*m)) return *type;
   return bits_type(32);
 }
 
-StateSpace space_of(const Statement& s) {
+StateSpace accessed_space(const Statement& s) {
   return ModifierReader(s).take_space().value_or(StateSpace::generic);
 }
 
@@ -39,7 +39,8 @@ bool is_store(const Statement& s) { return s.opcode == "st"; }
 std::vector<std::string_view> written_by(const Statement& s) {
   std::vector<std::string_view> names;
   const bool has_result = !s.operands.empty() && s.opcode != "red" && s.opcode != "bra" && s.opcode != "brx";
-  if (has_result && (!is_store(s) || space_of(s) == StateSpace::parameter)) collect(s.operands[0], names);
+  if (has_result && (!is_store(s) || accessed_space(s) == StateSpace::parameter))
+    collect(s.operands[0], names);
   return names;
 }
 
@@ -119,8 +120,8 @@ Provenance::Origin Provenance::origin_of(const Operand& operand) const {
 }
 
 Provenance::Origin Provenance::loaded(const Statement& s) const {
-  const Origin what_memory_holds = last_type(s).bits == 64 ? unknown : number;
-  if (s.opcode == "atom" || s.operands.size() < 2 || space_of(s) != StateSpace::parameter)
+  const Origin what_memory_holds = accessed_type(s).bits == 64 ? unknown : number;
+  if (s.opcode == "atom" || s.operands.size() < 2 || accessed_space(s) != StateSpace::parameter)
     return what_memory_holds;
   const Operand& address = s.operands[1];
   if (const auto found = parameters_.find(address.name); found != parameters_.end())

@@ -8,7 +8,7 @@
 namespace warpgrain::reports::html {
 namespace {
 
-Table::Column column(const char* key) {
+Table::Column what_if_column(const char* key) {
   const Metric& m = metric(key);
   return {std::string(m.label), std::string(m.definition)};
 }
@@ -40,13 +40,13 @@ std::string what_if_view(const KernelSummary& kernel) {
                 "each block can beat",
                 true},
                {"thread order", "in which order the threads fill the warps", true},
-               column("simt_efficiency"),
-               column("active_lanes"),
-               column("warp_instructions"),
+               what_if_column("simt_efficiency"),
+               what_if_column("active_lanes"),
+               what_if_column("warp_instructions"),
                {"against the run", "warp instructions over those of the run itself"},
-               column("divergent_branches"),
-               column("sfu_instructions"),
-               column("sectors_per_load")});
+               what_if_column("divergent_branches"),
+               what_if_column("sfu_instructions"),
+               what_if_column("sectors_per_load")});
   for (const profiler::WhatIfTotals& answer : kernel.counters.what_if)
     table.add_row(row_of(answer, kernel.counters.totals));
   std::string html =
