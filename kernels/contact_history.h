@@ -30,6 +30,12 @@ typedef struct {
   uint n_after;
   GLOBAL uint* status;
   uint rank;
+#ifdef EACH_PAIR_ONCE
+  // Where the partner keeps the same contact.
+  GLOBAL uint* partners_of_other;
+  GLOBAL real* displacements_of_other;
+  uint n_of_other;
+#endif
 } ContactHistory;
 
 #define HISTORY_OF(particle, rank, n_after)                                                         \
@@ -75,17 +81,43 @@ DEVICE_FUNCTION real3 remembered_displacement_without_branches(const ContactHist
 }
 
 DEVICE_FUNCTION void remember_displacement(ContactHistory* history, uint partner, real3 displacement) {
-  if (history->n_after == CONTACT_SLOTS) {  // branch: slots full
+  if (history->n_after >= CONTACT_SLOTS) {  // branch: slots full
     report_error(history->status, STATUS_SLOTS_FULL, history->rank);
     return;
   }
+#ifdef EACH_PAIR_ONCE
+  if (history->n_of_other >= CONTACT_SLOTS) {  // branch: slots of partner full
+    report_error(history->status, STATUS_SLOTS_FULL, partner);
+    return;
+  }
+  history->partners_of_other[history->n_of_other] = history->rank;
+  vstore3(-displacement, history->n_of_other, history->displacements_of_other);
+#endif
   history->partners_after[history->n_after] = partner;
   vstore3(displacement, history->n_after, history->displacements_after);
   history->n_after += 1;
 }
+
+#ifdef EACH_PAIR_ONCE
+// For searches that see each pair once: what is remembered is remembered on both sides, each with its sign.
+#define HISTORY_OF_PAIR(particle, rank, slot, other, slot_of_other)                        \
+  history_of_pair(history_of(particle, rank, slot, status, counts_before, partners_before, \
+                             displacements_before, partners_after, displacements_after),   \
+                  other, slot_of_other, partners_after, displacements_after)
+
+DEVICE_FUNCTION ContactHistory history_of_pair(ContactHistory history, uint other, uint slot_of_other,
+                                               GLOBAL uint* partners_after,
+                                               GLOBAL real* displacements_after) {
+  history.partners_of_other = partners_after + other * CONTACT_SLOTS;
+  history.displacements_of_other = displacements_after + other * CONTACT_SLOTS * 3;
+  history.n_of_other = slot_of_other;
+  return history;
+}
+#endif
 #else
 #define HISTORY_PARAMETERS
 #define HISTORY_OF(particle, rank, n_after) 0
+#define HISTORY_OF_PAIR(particle, rank, slot, other, slot_of_other) 0
 typedef int ContactHistory;
 #endif
 

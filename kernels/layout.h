@@ -18,6 +18,7 @@
 //   near_counts           uint [n]         how many entries
 //   listed_positions      real4 [n]        where particles were when lists with a skin were made
 //   lists_outdated        uint [1]         whether such lists may miss a contact
+//   fixed_sums            long [6 * n]     force and torque in quanta, where they are added up by atomics
 //   contact_parameters    real4 [n_materials * n_materials]   C_kn, C_kt, alpha, mu
 //   walls                 WallLayout [n_walls]
 //   status                uint [STATUS_SIZE]
@@ -48,8 +49,9 @@ LAYOUT_STRUCT(StepParameters) {
   LAYOUT_TRIPLE gravity;
   LAYOUT_TRIPLE lower, upper;  // of the domain, which is the grid's box
   real inverse_cell_size;
-  real skin;                          // of neighbour lists
-  real k_spring, k_damping, k_shear;  // eq. (1)
+  real quanta_per_force, quanta_per_torque;  // of fixed_sums
+  real skin;                                 // of neighbour lists
+  real k_spring, k_damping, k_shear;         // eq. (1)
   LAYOUT_UINT n_particles;
   LAYOUT_UINT n_keys;  // n_particles, padded as the sort needs it
   LAYOUT_UINT n_materials;
@@ -83,7 +85,9 @@ LAYOUT_STRUCT(WallLayout) {
 #define SCAN_WORK_GROUP 256
 #define SCAN_CELLS 8
 #define SCAN_BLOCK (SCAN_WORK_GROUP * SCAN_CELLS)
+#ifndef PARTICLE_WORK_GROUP  // the axis work_group_size
 #define PARTICLE_WORK_GROUP 128
+#endif
 
 // status[]: the steps done; whether an earlier step failed, which freezes what follows; then, for each kind
 // of error, the smallest rank it befell (NO_PARTICLE: none).
@@ -93,7 +97,8 @@ LAYOUT_STRUCT(WallLayout) {
 #define STATUS_NOT_FINITE 3
 #define STATUS_SLOTS_FULL 4
 #define STATUS_LIST_FULL 5
-#define STATUS_SIZE 6
+#define STATUS_FORCE_TOO_LARGE 6
+#define STATUS_SIZE 7
 #define NO_PARTICLE 0xFFFFFFFFu
 
 // Values of the model's options, as -D SLIP_HISTORY=... and -D NORMAL_FORCE=... name them.

@@ -34,11 +34,19 @@ typedef float4 real4;
 #define work_item_in_group() ((uint)get_local_id(0))
 #define work_group() ((uint)get_group_id(0))
 #define work_group_barrier_local() barrier(CLK_LOCAL_MEM_FENCE)
+#define work_group_barrier_all() barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE)
 
 #define make_real3(x, y, z) ((real3)(x, y, z))
 #define make_real4(v, w) ((real4)(v, w))
 #define make_uint2(x, y) ((uint2)(x, y))
 #define xyz(v) ((v).xyz)
+
+// Integers of 64 bits, for searches that need them: Search::needs_long_atomics.
+#ifdef EACH_PAIR_ONCE
+#pragma OPENCL EXTENSION cl_khr_int64_base_atomics : enable
+#define atomic_add_long(sum, value) atom_add(sum, value)
+#define rounded_to_long(x) convert_long_rte(x)
+#endif
 
 // The number of the lowest bit that is set; there is one.
 #define lowest_bit(bits) (31 - clz((bits) & (0 - (bits))))

@@ -10,6 +10,7 @@
 #include "variants/precisions.hpp"
 #include "variants/searches.hpp"
 #include "variants/sorts.hpp"
+#include "variants/tuning.hpp"
 
 namespace warpgrain {
 namespace {
@@ -57,7 +58,9 @@ std::span<const Axis> axes() {
        axis("order", "the order of particles in memory", "cell", values_of(orders())),
        axis("precision", "the arithmetic", "fp32", values_of(precisions())),
        axis("math", "the accuracy of built-in functions", "default", values_of(math_modes())),
-       tuning_axis("sort", "how the map of particles and cells is sorted", "bitonic", values_of(sorts()))}};
+       tuning_axis("sort", "how the map of particles and cells is sorted", "bitonic", values_of(sorts())),
+       tuning_axis("cell_size", "the cells of the collision grid", "1", values_of(cell_sizes())),
+       tuning_axis("work_group_size", "work-items of a work-group", "128", values_of(work_groups()))}};
   return table;
 }
 

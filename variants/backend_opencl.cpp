@@ -3,6 +3,7 @@
 #include "variants/device_simulation.hpp"
 #include "variants/opencl_device.hpp"
 #include "variants/precisions.hpp"
+#include "variants/searches.hpp"
 
 namespace warpgrain {
 namespace {
@@ -13,8 +14,11 @@ std::string lacks() {
 
 std::unique_ptr<Simulation> create(const Scene& scene, const Variant& variant,
                                    const BackendOptions& options) {
-  return std::make_unique<DeviceSimulation>(
-      scene, variant, options, open_opencl_device(options.device, precision_of(variant).is_fp64));
+  std::vector<std::string> extensions;
+  if (precision_of(variant).is_fp64) extensions.emplace_back("cl_khr_fp64");
+  if (search_of(variant).needs_long_atomics) extensions.emplace_back("cl_khr_int64_base_atomics");
+  return std::make_unique<DeviceSimulation>(scene, variant, options,
+                                            open_opencl_device(options.device, extensions));
 }
 
 }  // namespace

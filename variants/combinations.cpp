@@ -8,6 +8,7 @@
 #include "variants/precisions.hpp"
 #include "variants/searches.hpp"
 #include "variants/sorts.hpp"
+#include "variants/tuning.hpp"
 
 namespace warpgrain {
 namespace {
@@ -43,6 +44,12 @@ const ContactLaw& contact_law(const Variant& variant) {
 }
 const Search& search_of(const Variant& variant) { return row_of(searches(), variant, AxisId::search); }
 const Sort& sort_of(const Variant& variant) { return row_of(sorts(), variant, AxisId::sort); }
+const CellSize& cell_size_of(const Variant& variant) {
+  return row_of(cell_sizes(), variant, AxisId::cell_size);
+}
+const WorkGroup& work_group_of(const Variant& variant) {
+  return row_of(work_groups(), variant, AxisId::work_group_size);
+}
 const Order& order_of(const Variant& variant) { return row_of(orders(), variant, AxisId::order); }
 const Precision& precision_of(const Variant& variant) {
   return row_of(precisions(), variant, AxisId::precision);

@@ -35,6 +35,7 @@ enum class DeviceArray : std::size_t {
   near_counts,
   listed_positions,
   lists_outdated,
+  fixed_sums,
   contact_parameters,
   walls,
   status,

@@ -15,6 +15,7 @@
 #include "variants/precisions.hpp"
 #include "variants/searches.hpp"
 #include "variants/sorts.hpp"
+#include "variants/tuning.hpp"
 
 namespace warpgrain {
 namespace {
@@ -36,11 +37,11 @@ std::vector<std::byte> bytes_of(std::span<const T> values) {
 // particle may be rounded into the cell beside its own, and its partners must still be at most one cell away,
 // which in float needs eps * cells along an axis << the margin. And not so many that a sparse scene's step is
 // spent on clearing cells.
-GridGeometry device_grid(const Scene& scene, double skin) {
+GridGeometry device_grid(const Scene& scene, double skin, double edges) {
   constexpr double margin = 1e-3, most_along_an_axis = 2048;
   const double most_cells = std::max(4096.0, 64.0 * static_cast<double>(scene.particles.size()));
   const Vector3d size = scene.domain.upper - scene.domain.lower;
-  const double edge = std::max({(2 * std::ranges::max(scene.particles.radius) + skin) * (1 + margin),
+  const double edge = std::max({edges * (2 * std::ranges::max(scene.particles.radius) + skin) * (1 + margin),
                                 size.maxCoeff() / most_along_an_axis, std::cbrt(size.prod() / most_cells)});
   return make_grid_geometry(scene.domain, edge, scene.particles.size());
 }
@@ -66,6 +67,8 @@ layout::StepParameters<real> step_parameters(const Scene& scene, const DeviceSce
           .lower = triple<real>(scene.domain.lower),
           .upper = triple<real>(scene.domain.upper),
           .inverse_cell_size = static_cast<real>(1 / grid.cell_edge),
+          .quanta_per_force = static_cast<real>(device.quanta_per_force),
+          .quanta_per_torque = static_cast<real>(device.quanta_per_torque),
           .skin = static_cast<real>(device.skin),
           .k_spring = static_cast<real>(simple.k_spring),
           .k_damping = static_cast<real>(simple.k_damping),
@@ -193,6 +196,17 @@ void fill(const Scene& scene, const GridGeometry& grid, DeviceScene& device) {
   if (device.keeps_history) lay_out_history<real>(particles, device);
 }
 
+// Quanta of a force, a power of two: fixed-point sums hold 2^58 of one contact, and 2^55 is what the stiffest
+// contact of the scene gives at an overlap of a radius, some 10^4 times what it gives in a settled bed.
+double quanta_per_force(const Scene& scene) {
+  const double radius = std::ranges::max(scene.particles.radius);
+  double largest = scene.model.simple.k_spring * radius;
+  for (std::size_t i = 0; i < scene.contacts.n_materials(); ++i)
+    for (std::size_t j = 0; j < scene.contacts.n_materials(); ++j)
+      largest = std::max(largest, scene.contacts.at(i, j).normal_parameter * radius * radius);
+  return largest > 0 ? std::exp2(55 - std::ceil(std::log2(largest))) : 1;
+}
+
 void size_arrays(const Variant& variant, DeviceScene& device) {
   using enum DeviceArray;
   const std::size_t n = device.n_particles, real_bytes = device.is_fp64 ? 8 : 4;
@@ -220,6 +234,7 @@ void size_arrays(const Variant& variant, DeviceScene& device) {
     bytes[cell_keys_spare] = bytes[cell_keys];
     bytes[scan_sums] = 4 * ((std::size_t{device.n_cells} + SCAN_BLOCK - 1) / SCAN_BLOCK);
   }
+  if (search_of(variant).needs_long_atomics) bytes[fixed_sums] = 8 * 6 * n;
   bytes[near] = 4 * std::size_t{device.list_slots} * n;
   if (search_of(variant).lists == Lists::neighbours) {
     bytes[near_counts] = 4 * n;
@@ -263,6 +278,11 @@ DeviceScene lay_out(const Scene& scene, const Variant& variant) {
   device.keeps_history = contact_law(variant).keeps_history;
   device.contact_slots = device.keeps_history ? contact_slots_for(particles) : 0;
   if (search_of(variant).lists == Lists::contacts) device.list_slots = contact_slots_for(particles);
+  if (search_of(variant).needs_long_atomics) {
+    device.quanta_per_force = quanta_per_force(scene);
+    device.quanta_per_torque =
+        device.quanta_per_force * std::exp2(-std::ceil(std::log2(std::ranges::max(particles.radius))));
+  }
   if (search_of(variant).lists == Lists::neighbours) {
     device.skin = skin_of_lists * std::ranges::max(particles.radius);
     device.list_slots = neighbour_slots_for(particles, device.skin);
@@ -276,7 +296,8 @@ DeviceScene lay_out(const Scene& scene, const Variant& variant) {
   }
   device.n_particles = static_cast<std::uint32_t>(particles.size());
   device.n_keys = std::max<std::uint32_t>(2 * SORT_WORK_GROUP, std::bit_ceil(device.n_particles));
-  const GridGeometry grid = device_grid(scene, device.skin);
+  const GridGeometry grid = device_grid(scene, device.skin, cell_size_of(variant).edges);
+  device.work_group = work_group_of(variant).work_items;
   device.n_cells =
       order_of(variant).has_tiles ? cells_in_tiles(grid) : static_cast<std::uint32_t>(grid.cell_count());
   if (device.is_fp64) {

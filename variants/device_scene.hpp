@@ -18,13 +18,15 @@ struct DeviceScene {
   bool keeps_history = false;
   std::uint32_t contact_slots = 0;  // of a particle; 0 without history
   std::uint32_t n_particles = 0;
-  std::uint32_t n_keys = 0;           // n_particles padded to a power of two, at least a block of the sort
-  std::uint32_t n_cells = 0;          // numbers of cells
-  std::uint32_t list_slots = 0;       // of a particle's list of partners; 0 where the search makes none
-  double skin = 0;                    // of lists that outlive a step [m]
-  std::vector<std::byte> parameters;  // layout::StepParameters of the precision
-  PerArray<std::size_t> bytes;        // 0: the array is not used
-  PerArray<std::vector<std::byte>> contents;  // [bytes]; empty: need not be written
+  std::uint32_t n_keys = 0;      // n_particles padded to a power of two, at least a block of the sort
+  std::uint32_t n_cells = 0;     // numbers of cells
+  std::uint32_t list_slots = 0;  // of a particle's list of partners; 0 where the search makes none
+  double skin = 0;               // of lists that outlive a step [m]
+  std::uint32_t work_group = 0;  // work-items of a work-group of kernels that work on particles
+  double quanta_per_force = 1, quanta_per_torque = 1;  // of fixed-point sums
+  std::vector<std::byte> parameters;                   // layout::StepParameters of the precision
+  PerArray<std::size_t> bytes;                         // 0: the array is not used
+  PerArray<std::vector<std::byte>> contents;           // [bytes]; empty: need not be written
 };
 
 // Throws InputError for a scene that no device can hold, SimulationError when a particle's contact history

@@ -20,10 +20,11 @@ struct StatusMessage {
   std::size_t word;
   std::string_view text;
 };
-constexpr std::array<StatusMessage, 4> status_messages{{
+constexpr std::array<StatusMessage, 5> status_messages{{
     {STATUS_OUT_OF_DOMAIN, "left the domain"},
     {STATUS_NOT_FINITE, "has a position or a force that is not a finite number"},
     {STATUS_SLOTS_FULL, "has more contacts than contact slots"},
+    {STATUS_FORCE_TOO_LARGE, "feels a force too large for fixed-point sums"},
     {STATUS_LIST_FULL, "has more neighbours than its list has room for"},
 }};
 

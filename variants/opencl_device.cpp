@@ -183,11 +183,14 @@ class OpenclDevice : public ComputeDevice {
 
 std::size_t count_opencl_devices() { return find_devices().size(); }
 
-std::unique_ptr<ComputeDevice> open_opencl_device(const std::string& substring, bool needs_fp64) {
+std::unique_ptr<ComputeDevice> open_opencl_device(const std::string& substring,
+                                                  const std::vector<std::string>& extensions) {
   const FoundDevice found = choose_device(substring);
-  if (needs_fp64 && found.device.getInfo<CL_DEVICE_EXTENSIONS>().find("cl_khr_fp64") == std::string::npos) {
-    throw_input_error("--precision", fmt::format("fp64 on {}, which has no cl_khr_fp64", found.name), "fp32");
-  }
+  const std::string there = found.device.getInfo<CL_DEVICE_EXTENSIONS>();
+  for (const std::string& extension : extensions)
+    if (there.find(extension) == std::string::npos)
+      throw_input_error("--device", fmt::format("{} has no {}", found.name, extension),
+                        "a variant that does without, or another device");
   return std::make_unique<OpenclDevice>(found);
 }
 

@@ -3,15 +3,17 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "variants/compute_device.hpp"
 
 namespace warpgrain {
 
 // The device whose name or platform's name contains `substring`, whatever the case; empty: the first PoCL
-// device, else the first. Throws InputError that lists the devices there are, and when the device cannot
-// compute in double but must.
-std::unique_ptr<ComputeDevice> open_opencl_device(const std::string& substring, bool needs_fp64);
+// device, else the first. Throws InputError that lists the devices there are, and when the device lacks one
+// of the extensions.
+std::unique_ptr<ComputeDevice> open_opencl_device(const std::string& substring,
+                                                  const std::vector<std::string>& extensions = {});
 
 // How many devices there are.
 std::size_t count_opencl_devices();

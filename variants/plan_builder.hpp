@@ -27,7 +27,7 @@ class PlanBuilder {
   template <class... Arguments>
   KernelLaunch& launch(std::size_t unit, const char* kernel, std::size_t n_elements,
                        const Arguments&... arguments) {
-    return launch_in_groups(unit, kernel, n_elements, PARTICLE_WORK_GROUP, device_.parameters, arguments...);
+    return launch_in_groups(unit, kernel, n_elements, device_.work_group, device_.parameters, arguments...);
   }
   // The same with a work-group of its own, and without StepParameters.
   template <class... Arguments>

@@ -24,6 +24,7 @@ struct Search {
   std::string_view summary;
   std::string_view file;  // in kernels/
   Lists lists;
+  bool needs_long_atomics;  // sums in fixed point, 64 bits
   // Adds the launches that find the contacts and apply the law.
   void (*plan_forces)(PlanBuilder&);
 };

@@ -32,15 +32,17 @@ std::vector<SourceUnit> source_units(const Scene& scene, const Variant& variant,
                                             std::string(sort_of(variant).file), "reorder_particles.cl",
                                             "find_cells.cl"};
   const std::vector<std::string> pair_files{law, search}, wall_files{law, "force_from_walls.cl"};
-  const std::string options = fmt::format("-cl-std=CL1.2 -D REAL_BITS={} -D CONTACT_SLOTS={}",
-                                          device.is_fp64 ? 64 : 32, device.contact_slots);
+  const std::string options =
+      fmt::format("-cl-std=CL1.2 -D REAL_BITS={} -D CONTACT_SLOTS={} -D PARTICLE_WORK_GROUP={}",
+                  device.is_fp64 ? 64 : 32, device.contact_slots, device.work_group);
   const std::string wall_options = fmt::format(
       "{} -D SLIP_HISTORY={} -D NORMAL_FORCE={} {}", options, static_cast<int>(scene.model.slip_history),
       static_cast<int>(scene.model.normal_force), math_mode(variant).build_options);
   const std::string_view order = order_of(variant).build_options;
+  std::string pair_options = fmt::format("{} {} -D LIST_SLOTS={}", wall_options, order, device.list_slots);
+  if (search_of(variant).needs_long_atomics) pair_options += " -D EACH_PAIR_ONCE";
   return {{sources.bundle(grid_files), fmt::format("{} {}", options, order)},
-          {sources.bundle(pair_files),
-           fmt::format("{} {} -D LIST_SLOTS={}", wall_options, order, device.list_slots)},
+          {sources.bundle(pair_files), pair_options},
           {sources.bundle(wall_files), wall_options}};
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 TEST(Bitonic, SortsAsTheStandardLibraryDoes) {
   const std::vector<std::string> files{"sort/bitonic.cl"};
-  const auto device = open_opencl_device({}, false);
+  const auto device = open_opencl_device({});
   device->build({{KernelSources().bundle(files), "-cl-std=CL1.2"}});
   for (const std::uint32_t n_keys :
        {2 * SORT_WORK_GROUP, 4 * SORT_WORK_GROUP, 16 * SORT_WORK_GROUP, 128 * SORT_WORK_GROUP}) {

@@ -1,5 +1,7 @@
 #include "covering_variants.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <set>
 #include <string>
 #include <utility>
@@ -40,6 +42,13 @@ Variant improved(Variant variant, const Pairs& covered, const std::set<std::size
 }
 
 }  // namespace
+
+std::string test_name(const Variant& variant) {
+  std::string name = variant.name();
+  std::ranges::replace_if(
+      name, [](unsigned char letter) { return std::isalnum(letter) == 0; }, '_');
+  return name;
+}
 
 std::vector<Variant> covering_variants() {
   std::vector<Variant> variants;

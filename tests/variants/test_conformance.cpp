@@ -153,10 +153,7 @@ class Conformance : public testing::TestWithParam<Case> {
 };
 
 INSTANTIATE_TEST_SUITE_P(EveryVariant, Conformance, testing::ValuesIn(every_case()), [](const auto& c) {
-  std::string name = std::string(c.param.backend->name) + '_' + c.param.variant.name();
-  for (char& letter : name)
-    if (letter == '/' || letter == '=') letter = '_';
-  return name;
+  return std::string(c.param.backend->name) + '_' + test_name(c.param.variant);
 });
 
 TEST_P(Conformance, AgreesWithTheDoubleReference) {

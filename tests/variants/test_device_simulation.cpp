@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "core/error.hpp"
+#include "covering_variants.hpp"
 #include "random_bed.hpp"
 #include "variants/device_simulation.hpp"
 
@@ -25,13 +26,9 @@ INSTANTIATE_TEST_SUITE_P(Device, Order,
                          testing::Values("branchy/cells/cell/fp64/default",
                                          "branchy/cells/unsorted/fp64/default",
                                          "branchy/verlet/morton/fp64/default/sort=counting",
-                                         "branchy/verlet/unsorted/fp64/default"),
-                         [](const auto& variant) {
-                           std::string name = variant.param;
-                           for (char& letter : name)
-                             if (letter == '/' || letter == '=') letter = '_';
-                           return name;
-                         });
+                                         "branchy/half_shell/unsorted/fp64/default",
+                                         "branchy/contact_list/cell/fp64/default/cell_size=2"),
+                         [](const auto& variant) { return test_name(Variant::parse(variant.param)); });
 
 void expect_equal(const ParticleState& a, const ParticleState& b) {
   EXPECT_EQ(a.id, b.id);
@@ -113,6 +110,27 @@ TEST(DeviceSimulation, SortsAgreeBitByBit) {
   bitonic->step(50);
   counting->step(50);
   expect_equal(bitonic->state(), counting->state());
+}
+
+// Which work-item adds to a sum first is left to chance; the sums are not.
+TEST(DeviceSimulation, SumsOfHalfShellsCanBeRepeated) {
+  const Scene bed = random_bed({.n_particles = 1500, .seed = 11});
+  const Variant variant = Variant::parse("branchy/half_shell/cell/fp32/default");
+  const auto first = backend("opencl").create(bed, variant, {}),
+             second = backend("opencl").create(bed, variant, {});
+  first->step(20);
+  second->step(20);
+  expect_equal(first->state(), second->state());
+  EXPECT_EQ(first->forces().force, second->forces().force);
+}
+
+TEST(DeviceSimulation, NamesAForceTooLargeForFixedPointSums) {
+  Scene bed = random_bed({.n_particles = 8, .history = false});
+  for (Vector3d& velocity : bed.particles.velocity) velocity *= 1e9;
+  EXPECT_THAT(message_of([&] {
+                backend("opencl").create(bed, Variant::parse("branchy/half_shell/cell/fp32/default"), {});
+              }),
+              HasSubstr("feels a force too large for fixed-point sums"));
 }
 
 // Fast grains that begin and end contacts at every step: all of them are found, though lists last for

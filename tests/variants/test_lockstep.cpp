@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
+#include "covering_variants.hpp"
 #include "random_bed.hpp"
 #include "variants/combinations.hpp"
 #include "variants/device_simulation.hpp"
@@ -49,12 +50,7 @@ TEST_P(Lockstep, EveryKernelOfTheStepAgrees) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Variants, Lockstep, testing::ValuesIn(one_value_at_a_time()),
-                         [](const auto& parameter) {
-                           std::string name = parameter.param.name();
-                           for (char& letter : name)
-                             if (letter == '/' || letter == '=') letter = '_';
-                           return name;
-                         });
+                         [](const auto& parameter) { return test_name(parameter.param); });
 
 }  // namespace
 }  // namespace warpgrain

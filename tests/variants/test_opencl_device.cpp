@@ -21,9 +21,9 @@ std::string message_of(auto&& call) {
 }
 
 TEST(OpenclDevice, IsFoundByPartOfItsName) {
-  const std::string name = open_opencl_device({}, false)->name();
-  EXPECT_EQ(open_opencl_device(name.substr(1, 5), false)->name(), name);
-  const std::string message = message_of([] { open_opencl_device("no such device", false); });
+  const std::string name = open_opencl_device({})->name();
+  EXPECT_EQ(open_opencl_device(name.substr(1, 5))->name(), name);
+  const std::string message = message_of([] { open_opencl_device("no such device"); });
   EXPECT_THAT(message, HasSubstr("--device: unknown device 'no such device'; valid: "));
   EXPECT_THAT(message, HasSubstr(name));
 }

@@ -1,0 +1,88 @@
+// The forces between particles with a work-item a contact: the particles of a work-group list their contacts,
+// which are then numbered through, and contact after contact goes to the next work-item, whoever's it is.
+// Only the last round of a work-group has lanes without a contact. The particles add up what their contacts
+// gave in the order of their lists, so that sums are the same at every run.
+
+#include "contact/contact_law.h"
+#include "pair.h"
+#include "particle_access.h"
+#include "prelude.h"
+#include "search/candidates.h"
+
+// Inclusive sums over the work-group, in place.
+DEVICE_FUNCTION void sum_up(LOCAL uint* ends, uint item) {
+  for (uint stride = 1; stride < PARTICLE_WORK_GROUP; stride *= 2) {
+    const uint before = item >= stride ? ends[item - stride] : 0;
+    work_group_barrier_local();
+    ends[item] += before;
+    work_group_barrier_local();
+  }
+}
+
+// Whose contact it is: the first whose contacts end behind it.
+DEVICE_FUNCTION uint owner_of(uint contact, LOCAL const uint* ends) {
+  uint owner = 0;
+  for (uint step = PARTICLE_WORK_GROUP / 2; step > 0; step /= 2)
+    owner += ends[owner + step - 1] <= contact ? step : 0;
+  return owner;
+}
+
+KERNEL WORK_GROUP_OF(PARTICLE_WORK_GROUP) void force_between_particles(
+    const StepParameters p, GLOBAL const ulong* cell_keys, GLOBAL const uint2* cell_ranges, GLOBAL uint* near,
+    GLOBAL const real4* position_radius, GLOBAL const real4* velocity_mass,
+    GLOBAL const real4* angular_velocity, GLOBAL const uint2* rank_material,
+    CONSTANT const real4* contact_parameters, GLOBAL real4* force, GLOBAL real4* torque,
+    GLOBAL uint2* contact_counts, GLOBAL uint* status HISTORY_PARAMETERS) {
+  LOCAL uint ends[PARTICLE_WORK_GROUP];
+  LOCAL real results[6 * PARTICLE_WORK_GROUP];
+  const uint self = work_item(), item = work_item_in_group(), first_particle = self - item;
+  const bool exists = self < p.n_particles;
+  ForceSum sum;
+  uint n_contacts = 0;
+  if (exists) {  // branch: a particle
+    const Particle particle =
+        load_particle(self, position_radius, velocity_mass, angular_velocity, rank_material);
+    n_contacts =
+        list_near(p, self, &particle, REAL(0.0), cell_keys, cell_ranges, position_radius, near, status);
+    sum = gravity_alone(p, &particle);
+  }
+  ends[item] = n_contacts;
+  work_group_barrier_all();  // the lists are read by others
+  sum_up(ends, item);
+  const uint n_in_group = ends[PARTICLE_WORK_GROUP - 1];
+  const uint end = ends[item], begin = end - n_contacts;
+
+  const LawParameters law = law_parameters(p, contact_parameters);
+  for (uint first = 0; first < n_in_group; first += PARTICLE_WORK_GROUP) {  // branch: next round
+    const uint number = first + item;
+    if (number < n_in_group) {  // branch: a contact
+      const uint owner = owner_of(number, ends);
+      const uint k = number - (owner > 0 ? ends[owner - 1] : 0), index = first_particle + owner;
+      const Particle particle =
+          load_particle(index, position_radius, velocity_mass, angular_velocity, rank_material);
+      const uint other = near[k * p.n_particles + index];
+      const Pair pair = pair_with(&particle, position_radius[other]);
+      const Contact contact =
+          contact_of(&particle, &pair, other, velocity_mass, angular_velocity, rank_material);
+      ContactHistory history = HISTORY_OF(index, particle.rank, k);
+      ForceSum of_contact;
+      of_contact.force = make_real3(REAL(0.0), REAL(0.0), REAL(0.0));
+      of_contact.torque = of_contact.force;
+      apply_contact(&law, &particle, &contact, &history, &of_contact);
+      vstore3(of_contact.force, item, results);
+      vstore3(of_contact.torque, PARTICLE_WORK_GROUP + item, results);
+    }
+    work_group_barrier_local();
+    const uint last = min(end, first + PARTICLE_WORK_GROUP);
+    for (uint contact = max(begin, first); contact < last; ++contact) {  // branch: next result
+      sum.force += vload3(contact - first, results);
+      sum.torque += vload3(PARTICLE_WORK_GROUP + contact - first, results);
+    }
+    work_group_barrier_local();
+  }
+
+  if (!exists) return;  // branch: beyond the last particle
+  force[self] = make_real4(sum.force, REAL(0.0));
+  torque[self] = make_real4(sum.torque, REAL(0.0));
+  contact_counts[self] = make_uint2(n_contacts, 0);
+}
