@@ -43,8 +43,11 @@ def efficiency(launches):
 
 
 def special_functions(launch):
-    """Operations of single lanes on the special-function unit, from the instruction mix."""
-    return launch["totals"]["instruction_mix"].get("special_function", {"thread": 0})["thread"]
+    """Operations of single lanes on the special-function unit: a line's instructions times its active lanes."""
+    return sum(
+        line["totals"]["sfu_instructions"] * ratio(line["totals"]["thread_instructions"], line["totals"]["warp_instructions"])
+        for line in launch["lines"]
+    )
 
 
 def losses(launches):

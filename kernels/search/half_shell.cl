@@ -72,7 +72,8 @@ KERNEL void force_of_pairs(const StepParameters p, GLOBAL const ulong* cell_keys
   // The 13 cells that come later: beside it along x, the row after its own, and the layer after its own.
   for (int number = 14; number < 27; ++number) {  // branch: next cell
     const int x = cell.x + number % 3 - 1, y = cell.y + number / 3 % 3 - 1, z = cell.z + number / 9 - 1;
-    if (x < 0 || x >= (int)p.cells_x || y < 0 || y >= (int)p.cells_y || z >= (int)p.cells_z) continue;
+    const bool inside = x >= 0 && x < (int)p.cells_x && y >= 0 && y < (int)p.cells_y && z < (int)p.cells_z;
+    if (!inside) continue;  // branch: beyond the grid
     n_near = list_touching(p, self, &particle, cell_ranges[cell_number(p, x, y, z)], n_near, cell_keys,
                            position_radius, near);
   }
