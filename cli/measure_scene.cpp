@@ -62,12 +62,14 @@ reports::MeasuredReport measure_scene(const Scene& scene, const Variant& variant
   report.particles = scene.particles.size();
   {
     BackendOptions untimed = what.options;
-    untimed.time_kernels = false;
+    untimed.kernel_times = BackendOptions::KernelTimes::none;
     const auto simulation = chosen.create(scene, variant, untimed);
     report.device = {simulation->device(), "", simulation->driver()};
     report.step = time_steps(*simulation, what, progress);
   }
-  const auto simulation = chosen.create(scene, variant, what.options);
+  BackendOptions timed = what.options;
+  timed.kernel_times = BackendOptions::KernelTimes::undisturbed;
+  const auto simulation = chosen.create(scene, variant, timed);
   report.kernels = time_kernels(*simulation, what, progress);
   if (what.mark) {
     const CudaProfilerRange range;

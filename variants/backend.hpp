@@ -45,7 +45,10 @@ struct BackendOptions {
   unsigned threads = 0;  // host and simt: worker threads, 0 = all cores
   std::string
       kernel_folder;  // files there (below it as below kernels/) shadow the kernels of the build; empty: none
-  bool time_kernels = true;  // whether timings() has anything to say; cuda: costs a little for each launch
+  // Whether timings() has anything to say. On cuda that costs a little for each launch, and `undisturbed`
+  // more: the device waits until a step's launches are queued, so that none is timed while it waits for the
+  // host.
+  enum class KernelTimes : std::uint8_t { none, plain, undisturbed } kernel_times = KernelTimes::plain;
 };
 
 struct Backend {

@@ -9,7 +9,7 @@ namespace {
 std::unique_ptr<Simulation> create(const Scene& scene, const Variant& variant,
                                    const BackendOptions& options) {
   return std::make_unique<DeviceSimulation>(scene, variant, options,
-                                            open_cuda_device(options.device, options.time_kernels));
+                                            open_cuda_device(options.device, options.kernel_times));
 }
 
 }  // namespace

@@ -5,19 +5,27 @@
 #ifdef WARPGRAIN_HAS_SIMULATOR
 
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "profiler/opencl_frontend.hpp"
 #include "variants/cuda_driver.hpp"
+#include "variants/cuda_helpers.hpp"
 #include "variants/cuda_program.hpp"
 
 namespace warpgrain {
 namespace {
 
+using KernelTimes = BackendOptions::KernelTimes;
+
+// More than the host takes to queue a step: a hundred launches of some 6 us each.
+constexpr double delay_seconds = 2e-3;
+
 class CudaComputeDevice : public ComputeDevice {
  public:
-  CudaComputeDevice(const std::string& substring, bool time_kernels)
-      : device_(substring), time_kernels_(time_kernels) {}
+  CudaComputeDevice(const std::string& substring, KernelTimes times) : device_(substring), times_(times) {
+    if (times == KernelTimes::undisturbed) delay_.emplace(device_);
+  }
 
   void build(const std::vector<SourceUnit>& units) override {
     for (const SourceUnit& unit : units) {
@@ -52,7 +60,8 @@ class CudaComputeDevice : public ComputeDevice {
     const auto run = [&] {
       kernel.function.launch({launch.global_size / size, 1, 1}, {size, 1, 1}, 0, parameters);
     };
-    if (!time_kernels_) return run();
+    if (times_ == KernelTimes::none) return run();
+    if (delay_ && running_.empty()) delay_->launch(delay_seconds);
     Running running{kernel.timing, take_event(), take_event()};
     running.begin.record();
     run();
@@ -108,7 +117,8 @@ class CudaComputeDevice : public ComputeDevice {
   }
 
   CudaDevice device_;
-  bool time_kernels_;
+  KernelTimes times_;
+  std::optional<CudaDelay> delay_;
   std::vector<Unit> units_;
   PerArray<CudaMemory> buffers_;
   std::vector<Running> running_;  // since the last finish()
@@ -120,8 +130,8 @@ class CudaComputeDevice : public ComputeDevice {
 
 std::string cuda_device_lacks() { return cuda_lacks(); }
 
-std::unique_ptr<ComputeDevice> open_cuda_device(const std::string& substring, bool time_kernels) {
-  return std::make_unique<CudaComputeDevice>(substring, time_kernels);
+std::unique_ptr<ComputeDevice> open_cuda_device(const std::string& substring, KernelTimes times) {
+  return std::make_unique<CudaComputeDevice>(substring, times);
 }
 
 }  // namespace warpgrain
@@ -134,7 +144,7 @@ std::string cuda_device_lacks() {
   return "built without the simulator (WARPGRAIN_SIMULATOR=OFF), whose compiler it takes";
 }
 
-std::unique_ptr<ComputeDevice> open_cuda_device(const std::string&, bool) {
+std::unique_ptr<ComputeDevice> open_cuda_device(const std::string&, BackendOptions::KernelTimes) {
   throw_input_error("cuda", cuda_device_lacks());
 }
 

@@ -11,9 +11,9 @@ namespace warpgrain {
 // Empty when the back end can be used here; else what is missing, in one line.
 std::string cuda_device_lacks();
 
-// The device whose name contains `substring`; empty: the first. `time_kernels`: whether events around each
-// launch time it, which takes the device a little time of its own. Throws InputError that lists the devices
+// The device whose name contains `substring`; empty: the first. Throws InputError that lists the devices
 // there are, or with cuda_device_lacks().
-std::unique_ptr<ComputeDevice> open_cuda_device(const std::string& substring, bool time_kernels);
+std::unique_ptr<ComputeDevice> open_cuda_device(const std::string& substring,
+                                                BackendOptions::KernelTimes times);
 
 }  // namespace warpgrain

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/file_io.hpp"
+#include "reports/comparison.hpp"
 #include "reports/report_json.hpp"
 #include "run_python.hpp"
 #include "sample.hpp"
@@ -137,6 +138,19 @@ TEST(Schemas, Measurements) {
        {"no reading", "$.kernels[0].seconds.readings",
         [](Json& d) { d["kernels"][0]["seconds"]["readings"] = Json::array(); }},
        {"a flat size", "$.kernels[0].global_size", [](Json& d) { d["kernels"][0]["global_size"] = {64}; }}});
+}
+
+TEST(Schemas, Comparisons) {
+  Comparison comparison = compare({{"k", {{"warp_instructions", 4}, {"branches", 0}}}, {"l", {}}},
+                                  {{"k", {{"warp_instructions", 5}, {"branches", 2}}}}, {});
+  comparison.generator = this_generator();
+  const std::string kernels = comparison_json(comparison);
+  comparison.order = OrderComparison{{{"x", 1, 2}, {"y", 3, 4}}, 1, TauInterval{-1, 1}};
+  expect_valid("comparison-1.schema.json",
+               {{"of kernels", kernels}, {"of a sweep", comparison_json(comparison)}});
+  expect_refused("comparison-1.schema.json", comparison_json(comparison),
+                 {{"a tau of 2", "$.order.kendall_tau", [](Json& d) { d["order"]["kendall_tau"] = 2; }},
+                  {"no metric", "$.differences[0]", [](Json& d) { d["differences"][0].erase("metric"); }}});
 }
 
 TEST(Schemas, Sweeps) {
