@@ -1,6 +1,7 @@
 #include "cli/profile_options.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <fmt/format.h>
 
@@ -9,7 +10,22 @@
 
 namespace warpgrain::cli {
 
+namespace {
+
+profiler::WeightOptions::Kind weights_from_name(std::string_view name) {
+  using Kind = profiler::WeightOptions::Kind;
+  constexpr std::array<std::string_view, 3> names{"ptx", "sass", "auto"};
+  constexpr std::array<Kind, 3> kinds{Kind::ptx, Kind::sass, Kind::automatic};
+  const auto found = std::ranges::find(names, name);
+  if (found == names.end()) throw_unknown_name("--weights", "value", name, names);
+  return kinds[static_cast<std::size_t>(found - names.begin())];
+}
+
+}  // namespace
+
 void SimulatorOptions::add_to(CLI::App& command) {
+  add_option(command, "--weights", weights);
+  add_option(command, "--arch", arch);
   add_option(command, "--policy", policy);
   add_option(command, "--width", width);
   add_option(command, "--what-if", what_if);
@@ -26,6 +42,7 @@ std::optional<Machine> SimulatorOptions::load_machine() const {
 profiler::ProfileOptions SimulatorOptions::profile_options(const DeviceOptions& device,
                                                            Progress& progress) const {
   profiler::ProfileOptions options;
+  options.weights = {weights_from_name(weights), arch};
   options.policy = profiler::merge_policy_from_name(policy, "--policy");
   if (width)
     options.warp_width = *width;

@@ -15,6 +15,7 @@
 namespace warpgrain::cli {
 
 struct SimulatorOptions {
+  std::string weights = "auto", arch = "sm_90";
   std::string policy = "loop_postdom";
   std::optional<std::uint32_t> width;  // else the machine's, else 32
   std::vector<std::string> what_if;

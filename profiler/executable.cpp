@@ -53,8 +53,9 @@ class RefusingRunner final : public WorkGroupRunner {
 
 class NativeExecutable final : public Executable {
  public:
-  NativeExecutable(const ptx::Module& module, const ptx::Function& entry, TraceMode mode, Checks checks,
-                   std::string_view where, bool takes_smaller_groups) {
+  NativeExecutable(std::string_view ptx, const ptx::Module& module, const ptx::Function& entry,
+                   TraceMode mode, Checks checks, std::string_view where, bool takes_smaller_groups)
+      : ptx_(ptx) {
     const ptx::Function kernel = ptx::inline_calls(module, entry, where);
     const std::vector<ptx::Block> blocks = ptx::cut_blocks(kernel, where);
     const ptx::MemoryLayout layout = ptx::lay_out(module, kernel, where);
@@ -79,6 +80,7 @@ class NativeExecutable final : public Executable {
   }
 
   const KernelGraph& graph() const override { return kernel_.graph; }
+  std::string_view ptx() const override { return ptx_; }
   std::span<const KernelParameter> parameters() const override { return kernel_.parameters; }
 
   std::unique_ptr<LaunchMonitor> monitor(const LaunchShape& shape, std::span<const KernelArgument> arguments,
@@ -154,6 +156,7 @@ class NativeExecutable final : public Executable {
             kernel.statements[i].line, kernel_.graph.blocks[b].instructions[i - blocks[b].first].location);
   }
 
+  std::string ptx_;
   TranslatedKernel kernel_;
   Jit jit_;
 };
@@ -164,7 +167,7 @@ std::unique_ptr<Executable> Executable::compile(std::string_view ptx, std::strin
                                                 std::string_view where, Checks checks) {
   const ptx::Module module = ptx::parse(ptx, where);
   const ptx::Function* entry = module.find_entry(find_kernel(entry_names(module), kernel, where));
-  return std::make_unique<NativeExecutable>(module, *entry, mode, checks, where,
+  return std::make_unique<NativeExecutable>(ptx, module, *entry, mode, checks, where,
                                             ptx.find(smaller_groups_mark) != std::string_view::npos);
 }
 

@@ -59,6 +59,8 @@ class Executable {
                                              std::string_view where, Checks checks = Checks::off);
   virtual ~Executable() = default;
   virtual const KernelGraph& graph() const = 0;
+  // The module that it was made from; empty where there was no text.
+  virtual std::string_view ptx() const { return {}; }
   virtual std::span<const KernelParameter> parameters() const = 0;
   // What the runners of one launch note what they find in. Checks the shape, and the arguments against the
   // parameters (InputError names the argument). Executable and arguments outlive it.

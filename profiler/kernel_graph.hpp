@@ -53,7 +53,8 @@ struct Instruction {
   // what ptxas expands (an integer division converts and takes a reciprocal).
   std::uint8_t sfu_operations = 0;
   SourceLocation location;
-  std::string text;  // PTX, as it stands in the module
+  std::string text;            // PTX, as it stands in the module
+  std::uint32_t ptx_line = 0;  // where, from 1
 };
 
 // One address that a lane records when it runs the block, in the order of execution. Only global, shared,
@@ -78,6 +79,7 @@ struct BasicBlock {
 
 struct KernelGraph {
   std::string kernel;
+  std::string entry;               // its name in the PTX
   std::vector<std::string> files;  // as .file directives name them
   std::vector<BasicBlock> blocks;  // [0] is the entry; in the order of the PTX text
   std::uint32_t shared_bytes = 0;  // static shared (__local) memory of a work-group

@@ -18,6 +18,7 @@
 #include "profiler/observers/warp_counters.hpp"
 #include "profiler/ordered_output.hpp"
 #include "profiler/safety/launch_monitor.hpp"
+#include "profiler/sass/launch_replay.hpp"
 #include "profiler/source_lines.hpp"
 #include "profiler/what_if_run.hpp"
 
@@ -40,18 +41,24 @@ unsigned n_threads(const ProfileOptions& options) {
   return options.threads != 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
 }
 
-// Merges the warps of each work-group, and shows it to the other visitor where there is one.
+// Merges the warps of each work-group, replays them where that is asked for, and shows the group to the other
+// visitor where there is one.
 class MergingVisitor : public GroupVisitor {
  public:
-  MergingVisitor(WarpMerger& merger, std::uint32_t warp_width, GroupVisitor* other)
-      : merger_(merger), warp_width_(warp_width), other_(other) {}
+  MergingVisitor(WarpMerger& merger, sass::WarpReplayer* replayer, std::uint32_t warp_width,
+                 GroupVisitor* other)
+      : merger_(merger), replayer_(replayer), warp_width_(warp_width), other_(other) {}
   void visit(std::uint64_t group, std::span<const LaneTrace> lanes) override {
     merge_warps(merger_, lanes, warp_width_);
+    if (replayer_ != nullptr)
+      for (std::size_t first = 0; first < lanes.size(); first += warp_width_)
+        replayer_->replay(lanes.subspan(first, std::min<std::size_t>(warp_width_, lanes.size() - first)));
     if (other_ != nullptr) other_->visit(group, lanes);
   }
 
  private:
   WarpMerger& merger_;
+  sass::WarpReplayer* replayer_;
   std::uint32_t warp_width_;
   GroupVisitor* other_;
 };
@@ -135,26 +142,28 @@ WarpCounters run_observed(const KernelGraph& graph, Launch& launch, const Profil
   ObserverPair both(counting, *options.observer);
   both.launch_begins(graph);
   const auto merger = make_observed_merger(graph, options.policy, options.warp_width, both);
-  MergingVisitor visitor(*merger, options.warp_width, what_if ? &what_if->new_visitor() : nullptr);
+  MergingVisitor visitor(*merger, nullptr, options.warp_width, what_if ? &what_if->new_visitor() : nullptr);
   launch.run_groups(visitor, true);
   launch.rethrow_error();
   return counters;
 }
 
 WarpCounters run_counted(const KernelGraph& graph, Launch& launch, const ProfileOptions& options,
-                         WhatIfRun* what_if) {
+                         sass::LaunchReplay& replay, WhatIfRun* what_if) {
   struct Thread {
     WarpCounters counters;
+    sass::WarpReplayer* replayer;
     GroupVisitor* other;
   };
   std::vector<Thread> of_threads;
   for (std::uint64_t thread = 0; thread < std::min<std::uint64_t>(n_threads(options), launch.n_chunks());
        ++thread)
     of_threads.push_back(
-        {WarpCounters(graph, options.warp_width), what_if ? &what_if->new_visitor() : nullptr});
+        {WarpCounters(graph, options.warp_width), replay.new_replayer(), what_if ? &what_if->new_visitor() : nullptr});
   const auto work = [&](std::size_t thread) {
     const auto merger = make_counting_merger(graph, options.policy, of_threads[thread].counters);
-    MergingVisitor visitor(*merger, options.warp_width, of_threads[thread].other);
+    MergingVisitor visitor(*merger, of_threads[thread].replayer, options.warp_width,
+                           of_threads[thread].other);
     launch.run_groups(visitor, thread == 0);
   };
   {
@@ -182,9 +191,10 @@ LaunchCounters profile_launch(const Executable& executable, const LaunchShape& s
                     WhatIfSetting{options.what_if, options.addresses, n_threads(options),
                                   options.trace_memory, options.skip_unknown_keys});
   Launch launch(executable, shape, arguments, options, what_if ? what_if->groups_a_chunk() : 1);
+  sass::LaunchReplay replay(executable, options);
   const WarpCounters counters = options.observer != nullptr
                                     ? run_observed(graph, launch, options, what_if ? &*what_if : nullptr)
-                                    : run_counted(graph, launch, options, what_if ? &*what_if : nullptr);
+                                    : run_counted(graph, launch, options, replay, what_if ? &*what_if : nullptr);
   LaunchCounters result;
   result.kernel = graph.kernel;
   result.shape = shape;
@@ -196,6 +206,7 @@ LaunchCounters profile_launch(const Executable& executable, const LaunchShape& s
   result.blocks = block_totals(graph, counters);
   result.branches = branch_totals(graph, counters, source_lines);
   result.lane_slots_never_used = counters.lane_slots_lost[counters.never_used()];
+  replay.finish(source_lines, result);
   if (what_if) result.what_if = what_if->answers();
   result.diagnostics = launch.monitor().diagnostics();
   result.given_up = launch.monitor().given_up();

@@ -17,7 +17,19 @@
 
 namespace warpgrain::profiler {
 
+// Which instructions count.
+struct WeightOptions {
+  enum class Kind : std::uint8_t {
+    ptx,
+    sass,      // as ptxas makes them; an error where it is not there, or the kernel cannot be assembled
+    automatic  // of SASS where that goes, else of PTX, and the counters say why
+  };
+  Kind kind = Kind::ptx;
+  std::string arch = "sm_90";
+};
+
 struct ProfileOptions {
+  WeightOptions weights = {};
   MergePolicy policy = MergePolicy::loop_postdom;
   std::uint32_t warp_width = 32;  // 4 to 64, a power of two
   bool addresses = true;          // record addresses: sectors and lines

@@ -8,11 +8,26 @@
 
 namespace warpgrain::reports {
 
+namespace {
+
+constexpr std::string_view limit_of_ptx =
+    "Instructions are those of the PTX. A GPU runs SASS, which ptxas makes of it: against an H100, PTX counts of "
+    "warp instructions were 14 to 25 % low and SIMT efficiency lay between 1 % below and 13 % above.";
+constexpr std::string_view limit_of_sass =
+    "Instructions are those of the machine code that ptxas makes; a driver's own assembler may be of another "
+    "version. Blocks and what-if answers are those of the PTX.";
+
+std::string weights_of(std::span<const profiler::LaunchProfile> launches) {
+  const auto of_sass = std::ranges::count_if(
+      launches, [](const profiler::LaunchProfile& launch) { return launch.counters.weights.sass; });
+  if (of_sass == 0) return "ptx";
+  return static_cast<std::size_t>(of_sass) == launches.size() ? "sass" : "mixed";
+}
+
+}  // namespace
+
 std::vector<std::string> simulator_limits() {
   return {
-      "Instructions are those of the PTX. A GPU runs SASS, which ptxas makes of it: against an H100, PTX "
-      "counts of "
-      "warp instructions were 14 to 25 % low and SIMT efficiency lay between 1 % below and 13 % above.",
       "The lanes of a warp run one after another, so kernels in which lanes of a warp wait for each other "
       "(spin locks) "
       "are not carried.",
@@ -27,7 +42,10 @@ Report make_report(std::span<const profiler::LaunchProfile> launches, std::strin
   Report report;
   report.generator = this_generator();
   report.command_line = std::move(command_line);
+  report.weights = weights_of(launches);
   report.limits = simulator_limits();
+  if (report.weights != "sass") report.limits.insert(report.limits.begin(), std::string(limit_of_ptx));
+  if (report.weights != "ptx") report.limits.insert(report.limits.begin(), std::string(limit_of_sass));
   for (const profiler::LaunchProfile& launch : launches)
     report.launches.push_back({launch.counters,
                                {.name = launch.source_name,

@@ -59,6 +59,7 @@ Json launch_json(const LaunchReport& launch, const std::optional<Machine>& machi
             {"local_size", counters.shape.local_size},
             {"warp_width", counters.warp_width},
             {"policy", counters.policy},
+            {"replay", to_json(counters.weights)},
             {"warps", counters.warps},
             {"totals", to_json(counters.totals, counters.warp_width)},
             {"lane_slots_never_used", counters.lane_slots_never_used},
@@ -70,6 +71,7 @@ Json launch_json(const LaunchReport& launch, const std::optional<Machine>& machi
             {"given_up", counters.given_up},
             {"ptx", ptx},
             {"source", source}};
+  if (!counters.weights.asked) json.erase("replay");
   if (machine) json["sfu"] = sfu_json(counters, *machine);
   return json;
 }
@@ -109,6 +111,7 @@ LaunchReport launch_from(const JsonReader& place, Texts& texts) {
   counters.shape.local_size = size_from<std::uint32_t>(place.at("local_size"));
   counters.warp_width = warp_width_from(place.at("warp_width"));
   counters.policy = place.at("policy").string();
+  if (const auto replay = place.maybe("replay")) counters.weights = weights_from(*replay);
   counters.warps = place.at("warps").whole_number();
   counters.totals = totals_from(place.at("totals"), counters.warp_width);
   counters.lane_slots_never_used = place.at("lane_slots_never_used").whole_number();

@@ -9,7 +9,7 @@ namespace warpgrain::profiler::ptx {
 KernelGraph build_graph(const Module& module, const Function& kernel, std::span<const Block> blocks,
                         const MemoryLayout& layout) {
   KernelGraph graph;
-  graph.kernel = kernel.name;
+  graph.kernel = graph.entry = kernel.name;
   graph.shared_bytes = layout.shared_bytes;
   std::map<std::uint32_t, std::uint32_t> file_index;
   for (const auto& [number, name] : module.files) {
@@ -37,7 +37,7 @@ KernelGraph build_graph(const Module& module, const Function& kernel, std::span<
       if (facts.instruction_class == InstructionClass::barrier) graph.has_barrier = true;
       if (facts.instruction_class == InstructionClass::warp_level) graph.has_warp_level = true;
       basic_block.instructions.push_back(
-          {facts.instruction_class, facts.sfu_operations, located(statement.location), statement.text});
+          {facts.instruction_class, facts.sfu_operations, located(statement.location), statement.text, statement.line});
     }
     graph.blocks.push_back(std::move(basic_block));
   }

@@ -1,0 +1,145 @@
+#include "profiler/sass/decoder.hpp"
+
+#include <cstring>
+
+#include "profiler/sass/opcodes.hpp"
+
+namespace warpgrain::profiler::sass {
+namespace {
+
+constexpr std::size_t instruction_bytes = 16;
+
+struct Word {
+  std::uint64_t low, high;
+
+  std::uint64_t bits(unsigned first, unsigned last) const {  // inclusive; not across the middle
+    const std::uint64_t half = first < 64 ? low >> first : high >> (first - 64);
+    return half & ((std::uint64_t{1} << (last - first + 1)) - 1);
+  }
+};
+
+std::int64_t sign_extended(std::uint64_t value, unsigned n_bits) {
+  const unsigned shift = 64 - n_bits;
+  return static_cast<std::int64_t>(value << shift) >> shift;
+}
+
+// Branches and calls, in units of four bytes: 48 bits from bit 34 on, and from sm_90 on eight more below them
+// in bits 16 to 23.
+std::uint32_t branch_target(const Word& word, std::uint32_t address, unsigned sm) {
+  const std::uint64_t upper = word.bits(34, 63) | word.bits(64, 81) << 30;
+  const std::int64_t offset =
+      sm >= 90 ? sign_extended(upper << 8 | word.bits(16, 23), 56) : sign_extended(upper, 48);
+  return static_cast<std::uint32_t>(address + instruction_bytes + offset * 4);
+}
+
+// BSSY: 30 bits in units of four bytes.
+std::uint32_t meeting_target(const Word& word, std::uint32_t address) {
+  return static_cast<std::uint32_t>(address + instruction_bytes +
+                                    sign_extended(word.bits(34, 63), 30) * 4);
+}
+
+constexpr std::uint16_t operation_number(std::uint16_t opcode) { return opcode & 0x1FFU; }
+
+void decode_branch_conditions(const Word& word, Instruction& instruction) {
+  instruction.condition = static_cast<std::uint8_t>(word.bits(87, 89));
+  instruction.condition_negated = word.bits(90, 90) != 0;
+  if ((instruction.opcode & 0x1FFFU) == 0x1547) {  // BRA of a uniform predicate
+    instruction.condition = static_cast<std::uint8_t>(word.bits(24, 26));
+    instruction.condition_negated = word.bits(27, 27) != 0;
+    instruction.uniform_condition = true;
+  }
+  instruction.if_divergent = word.bits(32, 33) == 2;
+}
+
+void decode_flow(const Word& word, unsigned sm, Instruction& i) {
+  i.barrier = static_cast<std::uint8_t>(word.bits(16, 19));
+  switch (operation_number(i.opcode)) {
+    case 0x141:
+      i.flow = Flow::meet;
+      break;
+    case 0x142:
+      i.flow = Flow::leave;
+      break;
+    case 0x143:
+      i.flow = Flow::indirect_call;
+      break;
+    case 0x144:
+      i.flow = Flow::call;
+      i.target = branch_target(word, i.address, sm);
+      break;
+    case 0x145:
+      i.flow = Flow::open;
+      i.target = meeting_target(word, i.address);
+      break;
+    case 0x147:
+      i.flow = Flow::branch;
+      i.target = branch_target(word, i.address, sm);
+      decode_branch_conditions(word, i);
+      break;
+    case 0x148:
+      i.flow = Flow::warp_meet;
+      break;
+    case 0x149:
+    case 0x14A:
+    case 0x14C:
+    case 0x158:
+    case 0x159:
+      i.flow = Flow::indirect_branch;
+      break;
+    case 0x14D:
+    case 0x15B:
+      i.flow = Flow::exit;
+      break;
+    case 0x150:
+      i.flow = Flow::ret;
+      break;
+    case 0x155:  // BMOV R, B
+      i.flow = Flow::save;
+      i.barrier = static_cast<std::uint8_t>(word.bits(24, 27));
+      i.reg = static_cast<std::uint8_t>(word.bits(16, 23));
+      break;
+    case 0x156:  // BMOV B, R
+      i.flow = Flow::restore;
+      i.barrier = static_cast<std::uint8_t>(word.bits(24, 27));
+      i.reg = static_cast<std::uint8_t>(word.bits(32, 39));
+      break;
+    default:
+      break;
+  }
+}
+
+bool is_padding(const Instruction& instruction) {
+  return operation_number(instruction.opcode) == 0x118 ||
+         (instruction.flow == Flow::branch && instruction.target == instruction.address);
+}
+
+}  // namespace
+
+std::vector<Instruction> decode(std::string_view code, unsigned sm) {
+  std::vector<Instruction> instructions;
+  for (std::size_t at = 0; at + instruction_bytes <= code.size(); at += instruction_bytes) {
+    Word word{};
+    std::memcpy(&word.low, code.data() + at, sizeof word.low);
+    std::memcpy(&word.high, code.data() + at + sizeof word.low, sizeof word.high);
+    Instruction instruction;
+    instruction.address = static_cast<std::uint32_t>(at);
+    instruction.opcode = static_cast<std::uint16_t>(word.bits(0, 11) | word.bits(91, 91) << 12);
+    instruction.guard = static_cast<std::uint8_t>(word.bits(12, 14));
+    instruction.guard_negated = word.bits(15, 15) != 0;
+    if (const Operation* operation = find_operation(operation_number(instruction.opcode))) {
+      instruction.instruction_class = operation->instruction_class;
+      instruction.special_function = operation->special_function;
+    }
+    decode_flow(word, sm, instruction);
+    instructions.push_back(instruction);
+  }
+  while (!instructions.empty() && is_padding(instructions.back())) instructions.pop_back();
+  return instructions;
+}
+
+std::string_view mnemonic(const Instruction& instruction) {
+  const Operation* operation = find_operation(operation_number(instruction.opcode));
+  return operation == nullptr ? "?" : operation->name;
+}
+
+}  // namespace warpgrain::profiler::sass

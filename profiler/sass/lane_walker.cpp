@@ -1,0 +1,154 @@
+#include "profiler/sass/lane_walker.hpp"
+
+#include "profiler/control_flow.hpp"
+
+namespace warpgrain::profiler::sass {
+
+LaneWalker::LaneWalker(const ReplayPlan& plan, const PtxDecisions& decisions, ReplayCounters& counters)
+    : plan_(plan), counters_(counters), has_guard_(decisions.count(), false), trips_left_(plan.loops.size()) {
+  const KernelGraph& graph = decisions.graph();
+  for (std::uint32_t b = 0; b < graph.blocks.size(); ++b) {
+    const std::uint32_t end = decisions.run_end(b);
+    run_end_.push_back(end);
+    runs_.emplace_back();
+    if (end != no_block) runs_.back() = {decisions.at_end_of(end), graph.blocks[end].successors[0]};
+  }
+  for (const Node& node : plan.nodes)
+    if (node.rule == Rule::decision) has_guard_[node.decision] = true;
+}
+
+std::uint32_t LaneWalker::index_of(const Node& node) const {
+  return static_cast<std::uint32_t>(&node - plan_.nodes.data());
+}
+
+void LaneWalker::walk(const BlockIndex* trace, Choices& choices) {
+  trace_ = trace;
+  returns_.clear();
+  fits_ = true;
+  pass(plan_.entry);
+  const Way* way = &plan_.entry;
+  // A lane that takes no guard it should may go round and round.
+  std::size_t budget = 1024;
+  for (const BlockIndex* entry = trace; *entry != trace_end; ++entry) budget += 64;
+  for (; budget != 0; --budget) {
+    const Node& node = plan_.nodes[way->node];
+    bool taken = false;
+    switch (node.rule) {
+      case Rule::decision:
+        taken = take_decision(node);
+        choices.push_back(taken ? 1 : 0);
+        break;
+      case Rule::trips:
+        taken = take_trips(node);
+        choices.push_back(taken ? 1 : 0);
+        break;
+      case Rule::unknown:
+        ++counters_.underived[way->node];
+        choices.push_back(0);
+        break;
+      case Rule::fast_path:
+        ++counters_.fast_paths;
+        taken = node.takes_fast_path;
+        break;
+      case Rule::together:
+        break;
+      case Rule::indirect: {
+        const std::uint32_t entry = take_indirect(node);
+        choices.push_back(static_cast<std::uint16_t>(entry));
+        way = &node.table[entry];
+        pass(*way);
+        continue;
+      }
+      case Rule::call:
+        returns_.push_back(way->node);
+        taken = true;
+        break;
+      case Rule::ret:
+        if (returns_.empty()) {
+          ++counters_.out_of_step;
+          return;
+        }
+        way = &plan_.nodes[returns_.back()].next;
+        returns_.pop_back();
+        pass(*way);
+        continue;
+      case Rule::end:
+        for (; *trace_ != trace_end; ++trace_)
+          if (runs_[*trace_].decision != no_decision && has_guard_[runs_[*trace_].decision]) fits_ = false;
+        if (!fits_) ++counters_.out_of_step;
+        return;
+    }
+    way = taken ? &node.taken : &node.next;
+    pass(*way);
+  }
+  ++counters_.out_of_step;
+}
+
+bool LaneWalker::take_decision(const Node& node) {
+  const BlockIndex* entry = trace_;
+  while (*entry != trace_end && runs_[*entry].decision != node.decision) ++entry;
+  if (*entry == trace_end) {
+    ++counters_.underived[index_of(node)];
+    return false;
+  }
+  trace_ = entry + 1;
+  const std::uint32_t way = *trace_ == runs_[*entry].first_way ? 0 : 1;
+  return way == node.taken_way;
+}
+
+bool LaneWalker::take_trips(const Node& node) {
+  const std::int64_t left = trips_left_[node.loop];
+  const auto possible = [&](const TripSide& side) {
+    return side.leaves ? side.copies == left : side.copies <= left;
+  };
+  const bool taken = possible(node.taken_side), next = possible(node.next_side);
+  if (taken != next) return taken;
+  const auto more = [](const TripSide& a, const TripSide& b) {
+    return a.most != b.most ? a.most > b.most : a.copies > b.copies;
+  };
+  if (taken && more(node.taken_side, node.next_side)) return true;
+  if (taken && more(node.next_side, node.taken_side)) return false;
+  ++counters_.underived[index_of(node)];
+  return false;
+}
+
+std::uint32_t LaneWalker::take_indirect(const Node& node) {
+  if (*trace_ != trace_end)
+    for (const BlockIndex* entry = trace_ + 1; *entry != trace_end; ++entry)
+      if (node.table_of[*entry] != no_code) {
+        trace_ = entry;
+        return node.table_of[*entry];
+      }
+  ++counters_.underived[index_of(node)];
+  return 0;
+}
+
+void LaneWalker::pass(const Way& way) {
+  for (const TripEvent& event : way.events) {
+    std::int64_t& left = trips_left_[event.loop];
+    if (event.copies == 0)
+      left = count_trips(plan_.loops[event.loop]);
+    else
+      left -= event.copies;
+    if (left < 0) fits_ = false;
+  }
+}
+
+std::int64_t LaneWalker::count_trips(const TripLoop& loop) const {
+  std::int64_t trips = 0;
+  bool entered = false;
+  for (const BlockIndex* entry = trace_; *entry != trace_end; ++entry) {
+    if (loop.counts[*entry]) ++trips;
+    const std::uint32_t end = run_end_[*entry];
+    if (end == no_block) break;
+    if (loop.inside[end]) {
+      entered = true;
+      if (!loop.inside[*(entry + 1)]) break;
+    } else if (entered || has_guard_[runs_[*entry].decision]) {
+      break;
+    }
+  }
+  return trips;
+}
+
+}  // namespace warpgrain::profiler::sass

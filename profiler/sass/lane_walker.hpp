@@ -1,0 +1,50 @@
+#pragma once
+// A lane's way through the machine code, from its trace.
+
+#include <cstdint>
+#include <vector>
+
+#include "profiler/sass/replay_counters.hpp"
+#include "profiler/sass/replay_plan.hpp"
+#include "profiler/trace.hpp"
+
+namespace warpgrain::profiler::sass {
+
+// What a lane chose at each node of its way, in order: at guards whose rule is decision, trips or unknown 1 if
+// it took the guard, else 0; at indirect branches the entry of the table. Other nodes leave no choice.
+using Choices = std::vector<std::uint16_t>;
+
+// One a thread.
+class LaneWalker {
+ public:
+  // What cannot be derived is counted. All outlive the walker.
+  LaneWalker(const ReplayPlan& plan, const PtxDecisions& decisions, ReplayCounters& counters);
+
+  // Appends the choices of the lane with that trace.
+  void walk(const BlockIndex* trace, Choices& choices);
+
+ private:
+  struct Run {  // a straight run of blocks of the PTX
+    std::uint32_t decision = no_decision;  // at its end
+    std::uint32_t first_way = no_code;     // the block to which the first way of the decision goes
+  };
+
+  bool take_decision(const Node& node);
+  bool take_trips(const Node& node);
+  std::uint32_t take_indirect(const Node& node);
+  void pass(const Way& way);
+  std::int64_t count_trips(const TripLoop& loop) const;
+  std::uint32_t index_of(const Node& node) const;
+
+  const ReplayPlan& plan_;
+  ReplayCounters& counters_;
+  std::vector<Run> runs_;                  // [blocks of the PTX]
+  std::vector<std::uint32_t> run_end_;     // [blocks of the PTX]
+  std::vector<bool> has_guard_;            // [decisions]: some guard follows it
+  const BlockIndex* trace_ = nullptr;      // what has not been used yet; never beyond its end
+  std::vector<std::int64_t> trips_left_;   // [loops]
+  std::vector<std::uint32_t> returns_;     // nodes of calls that have not come back
+  bool fits_ = true;
+};
+
+}  // namespace warpgrain::profiler::sass

@@ -1,0 +1,212 @@
+#include "profiler/sass/trip_loops.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "profiler/control_flow.hpp"
+
+namespace warpgrain::profiler::sass {
+namespace {
+
+using Copies = std::map<std::uint32_t, std::uint32_t>;  // block of the code -> how often an instruction stands there
+
+class Finder {
+ public:
+  Finder(const CodeGraph& code, const PtxDecisions& decisions, const std::vector<GuardLink>& links)
+      : code_(code),
+        decisions_(decisions),
+        links_(links),
+        flow_(decisions.graph()),
+        dominators_(immediate_dominators(flow_.successors(), 0)) {}
+
+  std::vector<TripLoop> find() {
+    std::vector<TripLoop> result;
+    for (std::uint32_t l = 0; l < flow_.loops().size(); ++l) {
+      TripLoop loop;
+      loop.decision = trip_decision(flow_.loops()[l]);
+      if (loop.decision == no_decision) continue;
+      if (!count_copies(l, loop) || !is_unrolled(loop)) continue;
+      find_region(loop);
+      result.push_back(std::move(loop));
+    }
+    return result;
+  }
+
+ private:
+  bool inside(const Loop& loop, std::uint32_t block) const {
+    return std::ranges::binary_search(loop.blocks, block);
+  }
+
+  // The decision whose one way begins the next trip; of a loop that is tested at its top, that of the header.
+  std::uint32_t trip_decision(const Loop& loop) const {
+    const KernelGraph& graph = decisions_.graph();
+    for (const std::uint32_t b : loop.blocks) {
+      if (decisions_.at_end_of(b) == no_decision) continue;
+      for (std::uint32_t to : graph.blocks[b].successors)
+        for (std::size_t steps = 0; steps < graph.blocks.size() && inside(loop, to); ++steps) {
+          if (to == loop.header) return decisions_.at_end_of(b);
+          if (graph.blocks[to].successors.size() != 1) break;
+          to = graph.blocks[to].successors[0];
+        }
+    }
+    const std::uint32_t end = decisions_.run_end(loop.header);
+    return end == no_block ? no_decision : decisions_.at_end_of(end);
+  }
+
+  bool runs_every_trip(std::uint32_t l, std::uint32_t block) const {
+    if (flow_.loop_of()[block] != l) return false;
+    const Loop& loop = flow_.loops()[l];
+    return std::ranges::all_of(loop.blocks, [&](std::uint32_t from) {
+      const auto& to = flow_.successors()[from];
+      if (std::ranges::find(to, loop.header) == to.end()) return true;
+      for (std::uint32_t at = from; at != no_block; at = dominators_[at]) {
+        if (at == block) return true;
+        if (at == dominators_[at]) break;
+      }
+      return false;
+    });
+  }
+
+  // By what most instructions say that run every trip: how often each stands in each block of the code.
+  // Counters and addresses do not speak for the body: they are reduced when a loop is unrolled.
+  bool count_copies(std::uint32_t l, TripLoop& loop) const {
+    const KernelGraph& graph = decisions_.graph();
+    std::map<std::pair<std::uint32_t, std::uint16_t>, std::pair<Copies, std::uint32_t>> instructions;
+    for (std::uint32_t b = 0; b < code_.blocks.size(); ++b)
+      for (std::uint32_t k = code_.blocks[b].first; k < code_.blocks[b].last; ++k) {
+        const Instruction& i = code_.instructions[k];
+        if (i.flow != Flow::none) continue;
+        for (const PtxPlace& place : decisions_.places(i.line)) {
+          if (!runs_every_trip(l, place.block)) continue;
+          auto& [copies, block] = instructions[{i.line, i.opcode}];
+          ++copies[b];
+          block = place.block;
+          break;
+        }
+      }
+    std::map<std::pair<Copies, std::uint32_t>, int> votes;
+    for (auto& [instruction, found] : instructions) {
+      auto& [copies, block] = found;
+      std::uint32_t common = 0;
+      for (const auto& [at, count] : copies) common = std::gcd(common, count);
+      if (copies.size() > 1)
+        for (auto& [at, count] : copies) count /= common;
+      votes[{copies, block}] += weight(code_, instruction);
+    }
+    if (votes.empty()) return false;
+    const auto best = std::ranges::max_element(votes, {}, [](const auto& vote) { return vote.second; });
+    loop.copies.assign(code_.blocks.size(), 0);
+    for (const auto& [b, count] : best->first.first) loop.copies[b] = count;
+    loop.inside.assign(graph.blocks.size(), false);
+    for (const std::uint32_t b : flow_.loops()[l].blocks) loop.inside[b] = true;
+    loop.counts.assign(graph.blocks.size(), false);
+    for (std::uint32_t b = 0; b < graph.blocks.size(); ++b)
+      decisions_.for_run(b, [&](std::uint32_t on_run) {
+        if (on_run == best->first.second) loop.counts[b] = true;
+      });
+    return true;
+  }
+
+  static int weight(const CodeGraph& code, const std::pair<std::uint32_t, std::uint16_t>& instruction) {
+    const auto found = std::ranges::find_if(code.instructions, [&](const Instruction& i) {
+      return i.line == instruction.first && i.opcode == instruction.second;
+    });
+    switch (found->instruction_class) {
+      case InstructionClass::global_load:
+      case InstructionClass::global_store:
+      case InstructionClass::shared_load:
+      case InstructionClass::shared_store:
+      case InstructionClass::atomic:
+      case InstructionClass::special_function:
+        return 4;
+      case InstructionClass::fp32:
+      case InstructionClass::fp64:
+      case InstructionClass::conversion:
+        return 3;
+      default:
+        return 1;
+    }
+  }
+
+  bool is_trip_guard(const TripLoop& loop, std::uint32_t b) const {
+    return code_.blocks[b].end == End::guard && links_[b].kind != GuardLink::Kind::fast_path &&
+           links_[b].decision == loop.decision;
+  }
+
+  // Whether some way from one guard to the next makes two trips.
+  bool is_unrolled(const TripLoop& loop) const {
+    bool guarded = false;
+    for (std::uint32_t b = 0; b < code_.blocks.size(); ++b) guarded |= is_trip_guard(loop, b);
+    if (!guarded) return false;
+    for (std::uint32_t b = 0; b < code_.blocks.size(); ++b) {
+      std::uint32_t trips = 0;
+      std::uint32_t at = b;
+      for (std::size_t steps = 0; at != no_code && steps < code_.blocks.size(); ++steps) {
+        trips += loop.copies[at];
+        const End end = code_.blocks[at].end;
+        if (end != End::next && end != End::meet && end != End::warp_meet) break;
+        at = code_.blocks[at].next;
+      }
+      if (trips > 1) return true;
+    }
+    return false;
+  }
+
+  // A guard of a decision outside the loop is not passed: so copies of the loop that an outer loop runs again
+  // are no neighbours.
+  bool bounds(const TripLoop& loop, std::uint32_t b) const {
+    const CodeBlock& block = code_.blocks[b];
+    if (block.end != End::guard) return block.end == End::indirect;
+    const std::uint32_t decision = links_[b].decision;
+    return decision != no_decision && links_[b].kind != GuardLink::Kind::fast_path &&
+           !loop.inside[decisions_.blocks_of(decision)[0]];
+  }
+
+  void find_region(TripLoop& loop) const {
+    const std::size_t n = code_.blocks.size();
+    std::vector<std::vector<std::uint32_t>> successors(n), predecessors(n);
+    for (std::uint32_t b = 0; b < n; ++b) {
+      const CodeBlock& block = code_.blocks[b];
+      if (block.end != End::exit && block.end != End::ret && block.next != no_code)
+        successors[b].push_back(block.next);
+      if (block.end == End::guard && block.guarded == Flow::branch) successors[b].push_back(block.target);
+      for (const std::uint32_t to : successors[b]) predecessors[to].push_back(b);
+    }
+    const auto reached = [&](const std::vector<std::vector<std::uint32_t>>& edges) {
+      std::vector<bool> seen(n, false);
+      std::vector<std::uint32_t> open;
+      for (std::uint32_t b = 0; b < n; ++b)
+        if (loop.copies[b] != 0 || is_trip_guard(loop, b)) open.push_back(b), seen[b] = true;
+      while (!open.empty()) {
+        const std::uint32_t b = open.back();
+        open.pop_back();
+        for (const std::uint32_t to : edges[b]) {
+          if (seen[to] || bounds(loop, to)) continue;
+          seen[to] = true;
+          open.push_back(to);
+        }
+      }
+      return seen;
+    };
+    const std::vector<bool> behind = reached(successors), before = reached(predecessors);
+    loop.region.assign(n, false);
+    for (std::uint32_t b = 0; b < n; ++b) loop.region[b] = behind[b] && before[b];
+  }
+
+  const CodeGraph& code_;
+  const PtxDecisions& decisions_;
+  const std::vector<GuardLink>& links_;
+  ControlFlow flow_;
+  std::vector<std::uint32_t> dominators_;
+};
+
+}  // namespace
+
+std::vector<TripLoop> find_trip_loops(const CodeGraph& code, const PtxDecisions& decisions,
+                                      const std::vector<GuardLink>& links) {
+  return Finder(code, decisions, links).find();
+}
+
+}  // namespace warpgrain::profiler::sass
