@@ -206,7 +206,7 @@ LaunchCounters profile_launch(const Executable& executable, const LaunchShape& s
   result.blocks = block_totals(graph, counters);
   result.branches = branch_totals(graph, counters, source_lines);
   result.lane_slots_never_used = counters.lane_slots_lost[counters.never_used()];
-  replay.finish(source_lines, result);
+  replay.finish(source_lines, counters, result);
   if (what_if) result.what_if = what_if->answers();
   result.diagnostics = launch.monitor().diagnostics();
   result.given_up = launch.monitor().given_up();

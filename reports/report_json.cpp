@@ -13,6 +13,7 @@
 #include "reports/diagnostics_json.hpp"
 #include "reports/json_fields.hpp"
 #include "reports/json_text.hpp"
+#include "reports/replay_json.hpp"
 
 namespace warpgrain::reports {
 namespace {

@@ -11,6 +11,7 @@
 #include "reports/number_text.hpp"
 #include "reports/summary.hpp"
 #include "reports/text_table.hpp"
+#include "reports/weights_text.hpp"
 
 namespace warpgrain::reports {
 namespace {
@@ -149,6 +150,7 @@ std::string what_if_table(const KernelSummary& kernel) {
 std::string text_report(const Report& report, const TextReportOptions& options) {
   const std::vector<KernelSummary> kernels = kernels_of(report);
   std::string text = title_of(report) + "\n\n" + kernel_table(report, kernels);
+  for (const std::string& line : weights_lines(report)) text += fmt::format("instructions: {}\n", line);
   if (report.machine) text += sfu_table(*report.machine, kernels);
   for (std::size_t k = 0; k < std::min(kernels.size(), options.kernels); ++k) {
     const KernelSummary& kernel = kernels[k];

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "core/error.hpp"
+#include "profiler/sass/replay_check.hpp"
 #include "profiler/sass/replay_totals.hpp"
 
 namespace warpgrain::profiler::sass {
@@ -52,17 +53,20 @@ WarpReplayer* LaunchReplay::new_replayer() {
   return thread.replayer.get();
 }
 
-void LaunchReplay::finish(const SourceLines& source, LaunchCounters& launch) {
+void LaunchReplay::finish(const SourceLines& source, const WarpCounters& of_ptx, LaunchCounters& launch) {
   if (kernel_ && !threads_.empty()) {
     ReplayCounters& sum = threads_.front().counters;
     for (std::size_t k = 1; k < threads_.size(); ++k) sum.add(threads_[k].counters);
     used_.underived = sum.unresolved();
     used_.fast_paths = sum.fast_paths;
-    if (used_.underived == 0) {
+    const std::vector<std::string> found = contradictions(*kernel_, sum, of_ptx);
+    if (used_.underived != 0) {
+      used_.reason = fmt::format("{} choices of lanes cannot be derived from their traces", used_.underived);
+    } else if (!found.empty()) {
+      used_.reason = fmt::format("the replay contradicts the trace: {}", found.front());
+    } else {
       used_.sass = true;
       put_replay(*kernel_, sum, source, launch);
-    } else {
-      used_.reason = fmt::format("{} choices of lanes cannot be derived from their traces", used_.underived);
     }
   }
   launch.weights = used_;

@@ -8,6 +8,7 @@
 
 #include "profiler/counters.hpp"
 #include "profiler/executable.hpp"
+#include "profiler/observers/warp_counters.hpp"
 #include "profiler/profile.hpp"
 #include "profiler/sass/machine_kernel.hpp"
 #include "profiler/sass/warp_replayer.hpp"
@@ -23,8 +24,8 @@ class LaunchReplay {
   // Null where PTX counts. Not to be called side by side; belongs to the replay.
   WarpReplayer* new_replayer();
 
-  // When every warp has been replayed.
-  void finish(const SourceLines& source, LaunchCounters& launch);
+  // When every warp has been replayed and, into `of_ptx`, merged.
+  void finish(const SourceLines& source, const WarpCounters& of_ptx, LaunchCounters& launch);
 
  private:
   struct Thread {

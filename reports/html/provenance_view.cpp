@@ -3,6 +3,7 @@
 
 #include "reports/html/page.hpp"
 #include "reports/html/views.hpp"
+#include "reports/weights_text.hpp"
 
 namespace warpgrain::reports::html {
 namespace {
@@ -19,7 +20,7 @@ std::string provenance_view(const Report& report) {
                 fmt::format("{}, revision {}", report.generator.version, report.generator.git_revision));
   html += entry("command", report.command_line);
   html += entry("format", report_format);
-  html += entry("instructions", report.weights);
+  for (const std::string& line : weights_lines(report)) html += entry("instructions", line);
   if (report.machine) html += entry("machine", report.machine->name);
   std::set<std::string> seen;  // what launches share is said once
   for (const LaunchReport& launch : report.launches) {

@@ -1,0 +1,29 @@
+#include "reports/replay_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "reports/json_fields.hpp"
+
+namespace warpgrain::reports {
+
+nlohmann::ordered_json to_json(const profiler::WeightsUsed& weights) {
+  nlohmann::ordered_json json{{"used", weights.sass}};
+  if (!weights.arch.empty()) json["arch"] = weights.arch;
+  if (!weights.ptxas.empty()) json["ptxas"] = weights.ptxas;
+  if (!weights.reason.empty()) json["reason"] = weights.reason;
+  json["underived_choices"] = weights.underived;
+  json["fast_paths_assumed"] = weights.fast_paths;
+  return json;
+}
+
+profiler::WeightsUsed weights_from(const JsonReader& place) {
+  return {.sass = place.at("used").boolean(),
+          .asked = true,
+          .arch = optional_string(place, "arch").value_or(""),
+          .ptxas = optional_string(place, "ptxas").value_or(""),
+          .reason = optional_string(place, "reason").value_or(""),
+          .underived = place.at("underived_choices").whole_number(),
+          .fast_paths = place.at("fast_paths_assumed").whole_number()};
+}
+
+}  // namespace warpgrain::reports

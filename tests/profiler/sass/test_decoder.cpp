@@ -1,0 +1,101 @@
+// The decoder against listings, instruction by instruction: those in data/, and whatever has been committed
+// below reports/measured/.
+
+#include "profiler/sass/decoder.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "tests/profiler/sass/listing.hpp"
+
+namespace warpgrain::profiler::sass {
+namespace {
+
+std::vector<std::filesystem::path> listings() {
+  std::vector<std::filesystem::path> found;
+  for (const auto& folder : {std::filesystem::path(WARPGRAIN_TEST_DATA_DIR),
+                             std::filesystem::path(WARPGRAIN_SOURCE_DIR) / "reports" / "measured"})
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+      if (entry.path().extension() == ".sass") found.push_back(entry.path());
+  return found;
+}
+
+std::string guard_text(const Instruction& i) {
+  if (i.guard == always && !i.guard_negated) return {};
+  return fmt::format("@{}P{}", i.guard_negated ? "!" : "",
+                     i.guard == always ? "T" : std::to_string(i.guard));
+}
+
+// "IMAD.MOV.U32" is an IMAD to us, "IMAD.WIDE.U32" an IMAD.WIDE.
+bool is_named(std::string_view listed, std::string_view ours) {
+  return listed == ours || (listed.starts_with(ours) && listed[ours.size()] == '.');
+}
+
+// Where the operands of a jump point: `(.L_x_3) or 0x1b0.
+std::uint32_t listed_target(const ListedKernel& kernel, const std::string& operands) {
+  static const std::regex to_label(R"(`\((\.L_[A-Za-z0-9_$]+)\))"), to_address("0x([0-9a-f]+)");
+  std::smatch match;
+  if (std::regex_search(operands, match, to_label)) {
+    const auto found = kernel.labels.find(match[1]);
+    return found == kernel.labels.end() ? no_target : found->second;
+  }
+  if (std::regex_search(operands, match, to_address))
+    return static_cast<std::uint32_t>(std::stoul(match[1], nullptr, 16));
+  return no_target;
+}
+
+void compare(const ListedKernel& kernel, const ListedInstruction& listed, const Instruction& ours) {
+  SCOPED_TRACE(fmt::format("{:04x} {} {}{}", listed.address, listed.guard, listed.mnemonic, listed.operands));
+  std::string guard = listed.guard;
+  if (guard.find("UP") != std::string::npos) guard.erase(guard.find('U'), 1);  // of the uniform datapath
+  EXPECT_EQ(guard_text(ours), guard);
+  EXPECT_TRUE(is_named(listed.mnemonic, mnemonic(ours))) << mnemonic(ours);
+  if (ours.target != no_target) EXPECT_EQ(ours.target, listed_target(kernel, listed.operands));
+  const bool divergent = listed.mnemonic.find(".DIV") != std::string::npos && ours.flow == Flow::branch;
+  EXPECT_EQ(ours.if_divergent, divergent);
+  std::smatch match;
+  static const std::regex barrier(R"(\bB([0-9]+)\b)"), condition(R"(^\s*(!?)(U?)P([0-9]),)");
+  if (ours.flow == Flow::open || ours.flow == Flow::meet || ours.flow == Flow::leave ||
+      ours.flow == Flow::save || ours.flow == Flow::restore) {
+    ASSERT_TRUE(std::regex_search(listed.operands, match, barrier));
+    EXPECT_EQ(ours.barrier, std::stoul(match[1]));
+  }
+  if (ours.flow == Flow::branch && std::regex_search(listed.operands, match, condition)) {
+    EXPECT_EQ(ours.condition, std::stoul(match[3]));
+    EXPECT_EQ(ours.condition_negated, match[1].length() != 0);
+    EXPECT_EQ(ours.uniform_condition, match[2].length() != 0);
+  } else if (ours.flow == Flow::branch) {
+    EXPECT_EQ(ours.condition, always);
+  }
+}
+
+TEST(Decoder, AgreesWithListings) {
+  std::size_t compared = 0;
+  for (const auto& path : listings()) {
+    SCOPED_TRACE(path.string());
+    const Listing listing = read_listing(path);
+    for (const ListedKernel& kernel : listing.kernels) {
+      SCOPED_TRACE(kernel.name);
+      const std::vector<Instruction> ours = decode(kernel.code(), listing.sm);
+      ASSERT_LE(ours.size(), kernel.instructions.size());
+      for (std::size_t k = 0; k < ours.size(); ++k) compare(kernel, kernel.instructions[k], ours[k]);
+      compared += ours.size();
+    }
+  }
+  EXPECT_GE(compared, 200U);
+}
+
+TEST(Decoder, DropsThePaddingBehindTheCode) {
+  // EXIT; BRA to itself; NOP, of sm_90.
+  ListedKernel kernel;
+  kernel.instructions = {{0x00, "", "EXIT", "", 0x000000000000794d, 0x000fea0003800000},
+                         {0x10, "", "BRA", " 0x10", 0xfffffffc00fc7947, 0x000fc0000383ffff},
+                         {0x20, "", "NOP", "", 0x0000000000007918, 0x000fc00000000000}};
+  const std::vector<Instruction> ours = decode(kernel.code(), 90);
+  ASSERT_EQ(ours.size(), 1U);
+  EXPECT_EQ(ours[0].flow, Flow::exit);
+  EXPECT_FALSE(ours[0].is_conditional());
+}
+
+}  // namespace
+}  // namespace warpgrain::profiler::sass
