@@ -17,10 +17,6 @@ bool is_plain(const Instruction& i) {
   return i.flow == Flow::none && mnemonic(i) != "NOP";
 }
 
-bool is_atomic(const Instruction& instruction) {
-  return instruction.instruction_class == InstructionClass::atomic;
-}
-
 class Linker {
  public:
   Linker(const CodeGraph& code, const PtxDecisions& decisions) : code_(code), decisions_(decisions) {}
@@ -29,8 +25,10 @@ class Linker {
     links_.resize(code_.blocks.size());
     for (std::uint32_t b = 0; b < code_.blocks.size(); ++b) {
       if (code_.blocks[b].end != End::guard && code_.blocks[b].end != End::indirect) continue;
-      links_[b].decision = nearest_decision(code_.last_of(code_.blocks[b]).line);
-      if (links_[b].decision != no_decision) guarded_.insert(links_[b].decision);
+      const std::vector<std::uint32_t> near = near_decisions(code_.last_of(code_.blocks[b]).line);
+      if (near.empty()) continue;
+      links_[b].decision = near.front();
+      guarded_.insert(near.front());
     }
     for (std::uint32_t b = 0; b < code_.blocks.size(); ++b)
       if (code_.blocks[b].end == End::guard) orient(b);
@@ -38,19 +36,21 @@ class Linker {
   }
 
  private:
-  // The one at the end of the instruction's block, or that led to it, or that it leads to.
-  std::uint32_t nearest_decision(std::uint32_t line) const {
+  // Decisions that a guard with that line may carry out, the likeliest first: the one at the end of the
+  // instruction's block, the one that led there, the one that the block goes on to.
+  std::vector<std::uint32_t> near_decisions(std::uint32_t line) const {
     const std::vector<PtxPlace>& places = decisions_.places(line);
-    if (places.empty()) return no_decision;
-    const std::uint32_t block = places[0].block;
-    if (decisions_.at_end_of(block) != no_decision) return decisions_.at_end_of(block);
-    const BasicBlock& of_place = decisions_.graph().blocks[block];
-    const bool jumps_only =
-        of_place.instructions.size() == 1 && of_place.successors.size() == 1;
-    if (jumps_only && decisions_.decided_by(block) != no_block)
-      return decisions_.at_end_of(decisions_.decided_by(block));
-    const std::uint32_t end = decisions_.run_end(block);
-    return end == no_block ? no_decision : decisions_.at_end_of(end);
+    if (places.empty()) return {};
+    const std::uint32_t b = places[0].block;
+    if (decisions_.at_end_of(b) != no_decision) return {decisions_.at_end_of(b)};
+    std::vector<std::uint32_t> found;
+    const BasicBlock& block = decisions_.graph().blocks[b];
+    const bool jumps = places[0].instruction + 1 == block.instructions.size() &&
+                       block.instructions.back().instruction_class == InstructionClass::branch;
+    if (jumps && decisions_.decided_by(b) != no_block)
+      found.push_back(decisions_.at_end_of(decisions_.decided_by(b)));
+    if (decisions_.way_end(b) != no_block) found.push_back(decisions_.at_end_of(decisions_.way_end(b)));
+    return found;
   }
 
   // Whether the guard's line is that of its decision's own instruction.
@@ -67,15 +67,18 @@ class Linker {
     const CodeBlock& block = code_.blocks[b];
     GuardLink& link = links_[b];
     if (!stands_at_decision(b) && find_fast_path(block, link)) return;
-    if (link.decision == no_decision || is_retry_of_atomic(block)) return;
-    const std::uint32_t of = decisions_.blocks_of(link.decision)[0];
-    const std::vector<std::uint32_t>& ways = decisions_.graph().blocks[of].successors;
-    if (ways.size() != 2) return;
-    const int votes = near_votes(b, of, ways);
-    const int vote = votes != 0 ? votes : far_votes(b, of, ways);
-    if (vote == 0) return;
-    link.kind = GuardLink::Kind::decision;
-    link.taken_way = vote > 0 ? 0 : 1;
+    if (is_retry_of_atomic(block)) return;
+    const std::vector<std::uint32_t> near = near_decisions(code_.last_of(block).line);
+    for (const bool far : {false, true})
+      for (const std::uint32_t decision : near) {
+        const std::uint32_t of = decisions_.blocks_of(decision)[0];
+        const std::vector<std::uint32_t>& ways = decisions_.graph().blocks[of].successors;
+        if (ways.size() != 2) continue;
+        const int votes = far ? far_votes(b, of, ways) : near_votes(b, of, ways);
+        if (votes == 0) continue;
+        link = {GuardLink::Kind::decision, decision, votes > 0 ? 0U : 1U, false};
+        return;
+      }
   }
 
   // Where lanes go that take the guard; no_code for those that end.
@@ -115,14 +118,7 @@ class Linker {
       if (decisions_.graph().blocks[place.block].instructions[place.instruction].instruction_class ==
           InstructionClass::atomic)
         return true;
-    for (std::uint32_t k = block.first; k < block.last; ++k)
-      if (is_atomic(code_.instructions[k]) && block.target != no_code &&
-          code_.blocks[block.target].first <= k && block.target <= index_of(block))
-        return true;
     return false;
-  }
-  std::uint32_t index_of(const CodeBlock& block) const {
-    return static_cast<std::uint32_t>(&block - code_.blocks.data());
   }
 
   // Instructions by line on the straight way from a block to the next guard; the guard speaks for its

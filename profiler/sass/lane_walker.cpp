@@ -5,16 +5,55 @@
 namespace warpgrain::profiler::sass {
 
 LaneWalker::LaneWalker(const ReplayPlan& plan, const PtxDecisions& decisions, ReplayCounters& counters)
-    : plan_(plan), counters_(counters), has_guard_(decisions.count(), false), trips_left_(plan.loops.size()) {
+    : plan_(plan), counters_(counters), has_guard_(decisions.count(), false), follows_(decisions.count(), false), trips_left_(plan.loops.size()) {
   const KernelGraph& graph = decisions.graph();
   for (std::uint32_t b = 0; b < graph.blocks.size(); ++b) {
-    const std::uint32_t end = decisions.run_end(b);
+    std::uint32_t end = no_block;
+    decisions.for_run(b, [&](std::uint32_t on_run) {
+      if (decisions.at_end_of(on_run) != no_decision) end = on_run;
+    });
     run_end_.push_back(end);
     runs_.emplace_back();
     if (end != no_block) runs_.back() = {decisions.at_end_of(end), graph.blocks[end].successors[0]};
   }
   for (const Node& node : plan.nodes)
-    if (node.rule == Rule::decision) has_guard_[node.decision] = true;
+    if (node.decision != no_decision && node.rule != Rule::fast_path && node.rule != Rule::unknown)
+      has_guard_[node.decision] = true;
+  for (const Node& node : plan.nodes)
+    if (node.rule == Rule::decision) follows_[node.decision] = true;
+  note_folded(decisions);
+}
+
+// `if (a && b)` may leave one guard of two decisions. Lanes for which a has settled it never come to b: their
+// trace goes on where b would have sent them. From there b must not be reached before another guard.
+void LaneWalker::note_folded(const PtxDecisions& decisions) {
+  const KernelGraph& graph = decisions.graph();
+  const auto reaches = [&](std::uint32_t from, std::uint32_t decision) {
+    std::vector<bool> seen(graph.blocks.size(), false);
+    std::vector<std::uint32_t> open{from};
+    while (!open.empty()) {
+      const std::uint32_t b = open.back();
+      open.pop_back();
+      if (seen[b]) continue;
+      seen[b] = true;
+      const std::uint32_t here = decisions.at_end_of(b);
+      if (here == decision) return true;
+      if (here == no_decision || !has_guard_[here])
+        open.insert(open.end(), graph.blocks[b].successors.begin(), graph.blocks[b].successors.end());
+    }
+    return false;
+  };
+  folded_.resize(decisions.count());
+  for (const Node& node : plan_.nodes) {
+    if (node.rule != Rule::decision || !folded_[node.decision].empty()) continue;
+    std::vector<std::uint8_t>& ways = folded_[node.decision];
+    ways.assign(graph.blocks.size(), 0);
+    for (const std::uint32_t b : decisions.blocks_of(node.decision))
+      for (std::uint8_t way = 0; way < 2; ++way) {
+        const std::uint32_t to = graph.blocks[b].successors[way];
+        if (!reaches(to, node.decision)) ways[to] = static_cast<std::uint8_t>(1 + way);
+      }
+  }
 }
 
 std::uint32_t LaneWalker::index_of(const Node& node) const {
@@ -74,7 +113,7 @@ void LaneWalker::walk(const BlockIndex* trace, Choices& choices) {
         continue;
       case Rule::end:
         for (; *trace_ != trace_end; ++trace_)
-          if (runs_[*trace_].decision != no_decision && has_guard_[runs_[*trace_].decision]) fits_ = false;
+          if (runs_[*trace_].decision != no_decision && follows_[runs_[*trace_].decision]) fits_ = false;
         if (!fits_) ++counters_.out_of_step;
         return;
     }
@@ -85,15 +124,21 @@ void LaneWalker::walk(const BlockIndex* trace, Choices& choices) {
 }
 
 bool LaneWalker::take_decision(const Node& node) {
-  const BlockIndex* entry = trace_;
-  while (*entry != trace_end && runs_[*entry].decision != node.decision) ++entry;
-  if (*entry == trace_end) {
-    ++counters_.underived[index_of(node)];
-    return false;
+  for (const BlockIndex* entry = trace_; *entry != trace_end; ++entry) {
+    const std::uint32_t decision = runs_[*entry].decision;
+    if (decision == node.decision) {
+      trace_ = entry + 1;
+      return (*trace_ == runs_[*entry].first_way ? 0U : 1U) == node.taken_way;
+    }
+    if (decision == no_decision) continue;
+    if (has_guard_[decision]) continue;
+    if (const std::uint8_t way = folded_[node.decision][*(entry + 1)]; way != 0) {
+      trace_ = entry + 1;
+      return way - 1U == node.taken_way;
+    }
   }
-  trace_ = entry + 1;
-  const std::uint32_t way = *trace_ == runs_[*entry].first_way ? 0 : 1;
-  return way == node.taken_way;
+  ++counters_.underived[index_of(node)];
+  return false;
 }
 
 bool LaneWalker::take_trips(const Node& node) {
@@ -140,11 +185,11 @@ std::int64_t LaneWalker::count_trips(const TripLoop& loop) const {
   for (const BlockIndex* entry = trace_; *entry != trace_end; ++entry) {
     if (loop.counts[*entry]) ++trips;
     const std::uint32_t end = run_end_[*entry];
-    if (end == no_block) break;
+    if (end == no_block) continue;
     if (loop.inside[end]) {
       entered = true;
       if (!loop.inside[*(entry + 1)]) break;
-    } else if (entered || has_guard_[runs_[*entry].decision]) {
+    } else if (entered || follows_[runs_[*entry].decision]) {
       break;
     }
   }

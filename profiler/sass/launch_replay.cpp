@@ -1,7 +1,12 @@
 #include "profiler/sass/launch_replay.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <functional>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "core/error.hpp"
 #include "profiler/sass/replay_check.hpp"
@@ -17,6 +22,25 @@ std::string_view obstacle(const Executable& executable, const ProfileOptions& op
   if (options.observer != nullptr) return "an observer sees blocks of the PTX";
   if (executable.ptx().empty()) return "there is no PTX text";
   return {};
+}
+
+// What the traces did not tell, most first.
+std::string gaps(const MachineKernel& kernel, const ReplayCounters& counters) {
+  std::vector<std::pair<std::uint64_t, std::string>> found;
+  for (std::size_t n = 0; n < counters.underived.size(); ++n) {
+    const Instruction& guard = kernel.code.last_of(kernel.code.blocks[kernel.plan.nodes[n].block]);
+    if (counters.underived[n] != 0)
+      found.emplace_back(counters.underived[n],
+                         fmt::format("{} at 0x{:x} (PTX line {})", mnemonic(guard), guard.address, guard.line));
+  }
+  if (counters.out_of_step != 0) found.emplace_back(counters.out_of_step, "lanes whose trace went another way");
+  if (counters.stuck != 0) found.emplace_back(counters.stuck, "meetings that some lanes did not come to");
+  std::ranges::sort(found, std::greater{});
+  std::vector<std::string> texts;
+  for (const auto& [count, what] : found) texts.push_back(fmt::format("{} {}", count, what));
+  constexpr std::size_t most = 3;
+  if (texts.size() > most) texts.resize(most);
+  return fmt::format("choices that the traces do not tell: {}", fmt::join(texts, ", "));
 }
 
 }  // namespace
@@ -61,7 +85,7 @@ void LaunchReplay::finish(const SourceLines& source, const WarpCounters& of_ptx,
     used_.fast_paths = sum.fast_paths;
     const std::vector<std::string> found = contradictions(*kernel_, sum, of_ptx);
     if (used_.underived != 0) {
-      used_.reason = fmt::format("{} choices of lanes cannot be derived from their traces", used_.underived);
+      used_.reason = gaps(*kernel_, sum);
     } else if (!found.empty()) {
       used_.reason = fmt::format("the replay contradicts the trace: {}", found.front());
     } else {

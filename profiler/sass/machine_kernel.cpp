@@ -25,8 +25,9 @@ class CubinCache {
     for (const Entry& entry : entries_)
       if (entry.ptx == ptx && entry.arch == arch && entry.program == ptxas.program) return entry.cubins;
     auto cubins = std::make_shared<Cubins>();
-    cubins->plain = assemble(ptxas, ptx, arch, LineTable::without);
-    cubins->with_lines = assemble(ptxas, with_line_directives(ptx), arch, LineTable::with);
+    const AssemblerText text = assembler_text(ptx);
+    cubins->plain = assemble(ptxas, text.plain, arch, LineTable::without);
+    cubins->with_lines = assemble(ptxas, text.with_lines, arch, LineTable::with);
     constexpr std::size_t most = 16;
     if (entries_.size() == most) entries_.pop_front();
     entries_.push_back({std::string(ptx), std::string(arch), ptxas.program, cubins});

@@ -7,7 +7,7 @@ namespace warpgrain::profiler::sass {
 PtxDecisions::PtxDecisions(const KernelGraph& graph)
     : graph_(graph),
       at_end_(graph.blocks.size(), no_decision),
-      run_end_(graph.blocks.size(), no_block),
+      way_end_(graph.blocks.size(), no_block),
       decided_by_(graph.blocks.size(), no_block) {
   std::unordered_map<std::uint32_t, std::uint32_t> by_line;
   std::vector<std::vector<std::uint32_t>> predecessors(graph.blocks.size());
@@ -24,10 +24,11 @@ PtxDecisions::PtxDecisions(const KernelGraph& graph)
     at_end_[b] = found->second;
   }
   for (std::uint32_t b = 0; b < graph.blocks.size(); ++b) {
-    for_run(b, [&](std::uint32_t on_run) {
-      if (at_end_[on_run] != no_decision) run_end_[b] = on_run;
-    });
     std::uint32_t at = b;
+    for (std::size_t steps = 0; steps < graph.blocks.size() && graph.blocks[at].successors.size() == 1; ++steps)
+      at = graph.blocks[at].successors[0];
+    if (at_end_[at] != no_decision) way_end_[b] = at;
+    at = b;
     for (std::size_t steps = 0; steps < graph.blocks.size() && predecessors[at].size() == 1; ++steps) {
       at = predecessors[at][0];
       if (at_end_[at] == no_decision) continue;

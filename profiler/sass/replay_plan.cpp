@@ -1,7 +1,7 @@
 #include "profiler/sass/replay_plan.hpp"
 
 #include <algorithm>
-#include <map>
+#include <numeric>
 
 #include "profiler/control_flow.hpp"
 
@@ -107,33 +107,41 @@ class Planner {
     return way;
   }
 
-  // Each entry of the table stands for the block of the PTX that most of its instructions are of.
+  // Each entry of the table stands for the first block of the PTX on its way that no other entry comes to
+  // first; entries with the fewest blocks choose first.
   void note_table(Node& node) const {
-    node.table_of.assign(decisions_.graph().blocks.size(), no_code);
+    std::vector<std::vector<std::uint32_t>> ways;
+    for (const std::uint32_t entry : code_.table) ways.push_back(blocks_on_way(entry));
+    std::vector<std::uint32_t> by_length(ways.size());
+    std::iota(by_length.begin(), by_length.end(), 0U);
+    std::ranges::stable_sort(by_length, {}, [&](std::uint32_t k) { return ways[k].size(); });
     std::vector<std::uint32_t> entry_of(decisions_.graph().blocks.size(), no_code);
-    for (std::uint32_t k = 0; k < code_.table.size(); ++k) {
-      const std::uint32_t block = most_of(code_.table[k]);
-      if (block != no_block) entry_of[block] = k;
+    for (const std::uint32_t k : by_length) {
+      const auto free = std::ranges::find_if(ways[k], [&](std::uint32_t b) { return entry_of[b] == no_code; });
+      if (free != ways[k].end()) entry_of[*free] = k;
     }
+    node.table_of.assign(entry_of.size(), no_code);
     for (std::uint32_t b = 0; b < entry_of.size(); ++b)
       decisions_.for_run(b, [&](std::uint32_t on_run) {
         if (node.table_of[b] == no_code) node.table_of[b] = entry_of[on_run];
       });
   }
 
-  std::uint32_t most_of(std::uint32_t code_block) const {
-    std::map<std::uint32_t, std::uint32_t> counts;
-    for (std::size_t steps = 0; code_block != no_code && counts.empty() && steps < code_.blocks.size(); ++steps) {
+  // Blocks of the PTX whose instructions stand on the straight way from a block, in order.
+  std::vector<std::uint32_t> blocks_on_way(std::uint32_t code_block) const {
+    std::vector<std::uint32_t> blocks;
+    for (std::size_t steps = 0; code_block != no_code && steps < code_.blocks.size(); ++steps) {
       const CodeBlock& block = code_.blocks[code_block];
       for (std::uint32_t k = block.first; k < block.last; ++k) {
         const auto& places = decisions_.places(code_.instructions[k].line);
-        if (!places.empty()) ++counts[places[0].block];
+        if (code_.instructions[k].flow == Flow::none && !places.empty() &&
+            std::ranges::find(blocks, places[0].block) == blocks.end())
+          blocks.push_back(places[0].block);
       }
       if (!goes_on(block.end)) break;
       code_block = block.next;
     }
-    if (counts.empty()) return no_block;
-    return std::ranges::max_element(counts, {}, [](const auto& entry) { return entry.second; })->first;
+    return blocks;
   }
 
   void look_ahead(Node& node) const {

@@ -14,7 +14,7 @@ using Copies = std::map<std::uint32_t, std::uint32_t>;  // block of the code -> 
 
 class Finder {
  public:
-  Finder(const CodeGraph& code, const PtxDecisions& decisions, const std::vector<GuardLink>& links)
+  Finder(const CodeGraph& code, const PtxDecisions& decisions, std::vector<GuardLink>& links)
       : code_(code),
         decisions_(decisions),
         links_(links),
@@ -29,6 +29,7 @@ class Finder {
       if (loop.decision == no_decision) continue;
       if (!count_copies(l, loop) || !is_unrolled(loop)) continue;
       find_region(loop);
+      if (adopt_guards(loop)) find_region(loop);
       result.push_back(std::move(loop));
     }
     return result;
@@ -51,7 +52,7 @@ class Finder {
           to = graph.blocks[to].successors[0];
         }
     }
-    const std::uint32_t end = decisions_.run_end(loop.header);
+    const std::uint32_t end = decisions_.way_end(loop.header);
     return end == no_block ? no_decision : decisions_.at_end_of(end);
   }
 
@@ -195,9 +196,50 @@ class Finder {
     for (std::uint32_t b = 0; b < n; ++b) loop.region[b] = behind[b] && before[b];
   }
 
+  // Where the straight way from a block ends, or first comes into the region.
+  std::uint32_t landing(const TripLoop& loop, std::uint32_t b) const {
+    for (std::size_t steps = 0; b != no_code && steps < code_.blocks.size(); ++steps) {
+      const End end = code_.blocks[b].end;
+      if (loop.region[b] || (end != End::next && end != End::meet && end != End::warp_meet)) return b;
+      b = code_.blocks[b].next;
+    }
+    return no_code;
+  }
+
+  bool adopt_guards(const TripLoop& loop) {
+    bool adopted = false;
+    for (std::uint32_t b = 0; b < code_.blocks.size(); ++b) {
+      const CodeBlock& block = code_.blocks[b];
+      if (block.end != End::guard || block.guarded != Flow::branch || loop.region[b]) continue;
+      if (links_[b].kind == GuardLink::Kind::fast_path || (!repeats(b) && links_[b].kind != GuardLink::Kind::unknown))
+        continue;
+      const std::uint32_t taken = landing(loop, block.target), next = landing(loop, block.next);
+      if (taken == no_code || next == no_code || !loop.region[taken] || !loop.region[next]) continue;
+      links_[b].kind = GuardLink::Kind::unknown;
+      links_[b].decision = loop.decision;
+      adopted = true;
+    }
+    return adopted;
+  }
+
+  // Whether a guard of the same decision leads straight to this one.
+  bool repeats(std::uint32_t guard) const {
+    for (std::uint32_t b = 0; b < code_.blocks.size(); ++b) {
+      if (b == guard || code_.blocks[b].end != End::guard || links_[b].decision != links_[guard].decision)
+        continue;
+      for (std::uint32_t at : {code_.blocks[b].next, code_.blocks[b].target})
+        for (std::size_t steps = 0; at != no_code && steps < code_.blocks.size(); ++steps) {
+          if (at == guard) return true;
+          if (code_.blocks[at].end != End::next) break;
+          at = code_.blocks[at].next;
+        }
+    }
+    return false;
+  }
+
   const CodeGraph& code_;
   const PtxDecisions& decisions_;
-  const std::vector<GuardLink>& links_;
+  std::vector<GuardLink>& links_;
   ControlFlow flow_;
   std::vector<std::uint32_t> dominators_;
 };
@@ -205,7 +247,7 @@ class Finder {
 }  // namespace
 
 std::vector<TripLoop> find_trip_loops(const CodeGraph& code, const PtxDecisions& decisions,
-                                      const std::vector<GuardLink>& links) {
+                                      std::vector<GuardLink>& links) {
   return Finder(code, decisions, links).find();
 }
 

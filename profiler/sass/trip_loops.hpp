@@ -23,8 +23,9 @@ struct TripLoop {
 };
 
 // One for each loop of the PTX of which some block of the code makes two trips or more, or a straight way of
-// blocks does.
+// blocks does. Guards that choose between ways into such a loop, which stand behind the guard of another
+// decision and were taken for its, get the loop's decision.
 std::vector<TripLoop> find_trip_loops(const CodeGraph& code, const PtxDecisions& decisions,
-                                      const std::vector<GuardLink>& links);
+                                      std::vector<GuardLink>& links);
 
 }  // namespace warpgrain::profiler::sass

@@ -50,7 +50,9 @@ void compare(const ListedKernel& kernel, const ListedInstruction& listed, const 
   if (guard.find("UP") != std::string::npos) guard.erase(guard.find('U'), 1);  // of the uniform datapath
   EXPECT_EQ(guard_text(ours), guard);
   EXPECT_TRUE(is_named(listed.mnemonic, mnemonic(ours))) << mnemonic(ours);
-  if (ours.target != no_target) EXPECT_EQ(ours.target, listed_target(kernel, listed.operands));
+  if (ours.target != no_target) {
+    EXPECT_EQ(ours.target, listed_target(kernel, listed.operands));
+  }
   const bool divergent = listed.mnemonic.find(".DIV") != std::string::npos && ours.flow == Flow::branch;
   EXPECT_EQ(ours.if_divergent, divergent);
   std::smatch match;
