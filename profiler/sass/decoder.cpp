@@ -126,6 +126,10 @@ std::vector<Instruction> decode(std::string_view code, unsigned sm) {
     instruction.opcode = static_cast<std::uint16_t>(word.bits(0, 11) | word.bits(91, 91) << 12);
     instruction.guard = static_cast<std::uint8_t>(word.bits(12, 14));
     instruction.guard_negated = word.bits(15, 15) != 0;
+    instruction.destination = static_cast<std::uint8_t>(word.bits(16, 23));
+    instruction.source = static_cast<std::uint8_t>(word.bits(24, 31));
+    instruction.has_immediate = (instruction.opcode >> 9 & 7U) == 4;
+    instruction.immediate = static_cast<std::int32_t>(word.bits(32, 63));
     if (const Operation* operation = find_operation(operation_number(instruction.opcode))) {
       instruction.instruction_class = operation->instruction_class;
       instruction.special_function = operation->special_function;

@@ -46,6 +46,10 @@ struct Instruction {
   std::uint8_t barrier = 0;   // of open, meet, leave, save and restore
   std::uint8_t reg = 0;       // of save and restore
   std::uint32_t target = no_target;
+  // Registers by number; of forms with an immediate operand (bits 9 to 11 are 4), its value.
+  std::uint8_t destination = 0, source = 0;
+  bool has_immediate = false;
+  std::int32_t immediate = 0;
   InstructionClass instruction_class = InstructionClass::other;
   bool special_function = false;  // issued to the pipe that ncu calls xu
 

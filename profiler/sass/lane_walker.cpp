@@ -144,15 +144,17 @@ bool LaneWalker::take_decision(const Node& node) {
 bool LaneWalker::take_trips(const Node& node) {
   const std::int64_t left = trips_left_[node.loop];
   const auto possible = [&](const TripSide& side) {
-    return side.leaves ? side.copies == left : side.copies <= left;
+    if (side.leaves) return side.copies == left || (side.maybe != 0 && side.copies + side.maybe == left);
+    return side.copies <= left && (side.unit == 0 || (left - side.copies) % side.unit == 0);
   };
   const bool taken = possible(node.taken_side), next = possible(node.next_side);
   if (taken != next) return taken;
-  const auto more = [](const TripSide& a, const TripSide& b) {
-    return a.most != b.most ? a.most > b.most : a.copies > b.copies;
+  // Where both would do, the way with few copies at a time is for counts that wrap around.
+  const auto usual = [](const TripSide& a, const TripSide& b) {
+    return a.most != b.most ? a.most > b.most : a.copies < b.copies;
   };
-  if (taken && more(node.taken_side, node.next_side)) return true;
-  if (taken && more(node.next_side, node.taken_side)) return false;
+  if (taken && usual(node.taken_side, node.next_side)) return true;
+  if (taken && usual(node.next_side, node.taken_side)) return false;
   ++counters_.underived[index_of(node)];
   return false;
 }
@@ -173,7 +175,7 @@ void LaneWalker::pass(const Way& way) {
     std::int64_t& left = trips_left_[event.loop];
     if (event.copies == 0)
       left = count_trips(plan_.loops[event.loop]);
-    else
+    else if (!event.predicated || left >= event.copies)
       left -= event.copies;
     if (left < 0) fits_ = false;
   }

@@ -94,8 +94,8 @@ class Planner {
     for (std::size_t steps = 0; block != no_code && steps <= code_.blocks.size(); ++steps) {
       for (std::uint32_t l = 0; l < plan_.loops.size(); ++l) {
         const TripLoop& loop = plan_.loops[l];
-        if (loop.region[block] && (from == no_code || !loop.region[from])) way.events.push_back({l, 0});
-        if (loop.copies[block] != 0) way.events.push_back({l, loop.copies[block]});
+        if (loop.region[block] && (from == no_code || !loop.region[from])) way.events.push_back({l, 0, false});
+        if (loop.copies[block] != 0) way.events.push_back({l, loop.copies[block], loop.predicated[block]});
       }
       if (!goes_on(code_.blocks[block].end)) {
         way.node = plan_.node_of[block];
@@ -149,10 +149,10 @@ class Planner {
     node.next_side = side_of(node.next, node.loop);
   }
 
-  static std::uint32_t copies_on(const Way& way, std::uint32_t loop) {
+  static std::uint32_t copies_on(const Way& way, std::uint32_t loop, bool predicated) {
     std::uint32_t copies = 0;
     for (const TripEvent& event : way.events)
-      if (event.loop == loop) copies += event.copies;
+      if (event.loop == loop && event.predicated == predicated) copies += event.copies;
     return copies;
   }
 
@@ -172,7 +172,11 @@ class Planner {
       if (reached[n] || !in_region(plan_.nodes[n], loop)) continue;
       reached[n] = true;
       for (const Way* onward : ways_of(plan_.nodes[n])) {
-        side.most = std::max(side.most, copies_on(*onward, loop));
+        for (const bool predicated : {false, true}) {
+          const std::uint32_t copies = copies_on(*onward, loop, predicated);
+          if (!predicated) side.most = std::max(side.most, copies);
+          side.unit = std::gcd(side.unit, copies);
+        }
         open.push_back(onward->node);
       }
     }
@@ -190,11 +194,13 @@ class Planner {
       for (const Way* onward : ways_of(node)) {
         const TripSide behind = nearest(*onward, loop, seen);
         if (first || behind.copies < side.copies) side.copies = behind.copies;
+        side.maybe = std::max(side.maybe, behind.maybe);
         side.leaves = (first || side.leaves) && behind.leaves;
         first = false;
       }
     }
-    side.copies += copies_on(way, loop);
+    side.copies += copies_on(way, loop, false);
+    side.maybe += copies_on(way, loop, true);
     return side;
   }
 

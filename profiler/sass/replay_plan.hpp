@@ -27,6 +27,7 @@ enum class Rule : std::uint8_t {
 struct TripEvent {
   std::uint32_t loop = 0;    // index into ReplayPlan::loops
   std::uint32_t copies = 0;  // trips made; 0: the lane comes to the loop
+  bool predicated = false;   // only if so many are left
 };
 
 struct Way {
@@ -37,7 +38,9 @@ struct Way {
 // A side of a guard that asks for trips.
 struct TripSide {
   std::uint32_t copies = 0;  // trips that are made before the next such guard
+  std::uint32_t maybe = 0;   // and those under a predicate
   std::uint32_t most = 0;    // the most that any guard behind it can lead to at once
+  std::uint32_t unit = 0;    // of what these are all multiples
   bool leaves = false;       // no such guard comes any more
 };
 

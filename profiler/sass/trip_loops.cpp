@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <regex>
 #include <utility>
 
 #include "profiler/control_flow.hpp"
@@ -28,6 +29,15 @@ class Finder {
       loop.decision = trip_decision(flow_.loops()[l]);
       if (loop.decision == no_decision) continue;
       if (!count_copies(l, loop) || !is_unrolled(loop)) continue;
+      // Copies of an inlined function may share code.
+      const auto same = std::ranges::find(result, loop.decision, &TripLoop::decision);
+      if (same != result.end()) {
+        for (std::uint32_t b = 0; b < loop.inside.size(); ++b) {
+          if (loop.inside[b]) same->inside[b] = true;
+          if (loop.counts[b]) same->counts[b] = true;
+        }
+        continue;
+      }
       find_region(loop);
       if (adopt_guards(loop)) find_region(loop);
       result.push_back(std::move(loop));
@@ -70,22 +80,34 @@ class Finder {
     });
   }
 
-  // By what most instructions say that run every trip: how often each stands in each block of the code.
-  // Counters and addresses do not speak for the body: they are reduced when a loop is unrolled.
+  // The place of the instruction in a block of the loop that runs every trip; null if it has none.
+  const PtxPlace* place_in(std::uint32_t l, const Instruction& instruction) const {
+    if (instruction.flow != Flow::none) return nullptr;
+    for (const PtxPlace& place : decisions_.places(instruction.line))
+      if (runs_every_trip(l, place.block)) return &place;
+    return nullptr;
+  }
+
+  // How often each instruction that runs every trip stands in each block of the code; what most say counts.
+  // Counters and addresses are reduced when a loop is unrolled: they say it in the step that they go on by.
   bool count_copies(std::uint32_t l, TripLoop& loop) const {
     const KernelGraph& graph = decisions_.graph();
     std::map<std::pair<std::uint32_t, std::uint16_t>, std::pair<Copies, std::uint32_t>> instructions;
+    Copies by_steps;
+    loop.copies.assign(code_.blocks.size(), 0);
+    loop.predicated.assign(code_.blocks.size(), true);
     for (std::uint32_t b = 0; b < code_.blocks.size(); ++b)
       for (std::uint32_t k = code_.blocks[b].first; k < code_.blocks[b].last; ++k) {
         const Instruction& i = code_.instructions[k];
-        if (i.flow != Flow::none) continue;
-        for (const PtxPlace& place : decisions_.places(i.line)) {
-          if (!runs_every_trip(l, place.block)) continue;
-          auto& [copies, block] = instructions[{i.line, i.opcode}];
-          ++copies[b];
-          block = place.block;
-          break;
-        }
+        const PtxPlace* place = place_in(l, i);
+        if (place == nullptr) continue;
+        auto& [copies, block] = instructions[{i.line, i.opcode}];
+        ++copies[b];
+        block = place->block;
+        std::uint32_t& steps = by_steps[b];
+        steps = std::max(steps, steps_of(i, graph.blocks[place->block].instructions[place->instruction]));
+        const bool is_body = i.instruction_class != InstructionClass::predicate;
+        if (is_body && i.guard == always) loop.predicated[b] = false;
       }
     std::map<std::pair<Copies, std::uint32_t>, int> votes;
     for (auto& [instruction, found] : instructions) {
@@ -98,8 +120,10 @@ class Finder {
     }
     if (votes.empty()) return false;
     const auto best = std::ranges::max_element(votes, {}, [](const auto& vote) { return vote.second; });
-    loop.copies.assign(code_.blocks.size(), 0);
-    for (const auto& [b, count] : best->first.first) loop.copies[b] = count;
+    for (const auto& [b, count] : best->first.first) loop.copies[b] = std::max(count, by_steps[b]);
+    for (const auto& [b, count] : by_steps) loop.copies[b] = std::max(loop.copies[b], count);
+    for (std::uint32_t b = 0; b < code_.blocks.size(); ++b)
+      if (loop.copies[b] == 0) loop.predicated[b] = false;
     loop.inside.assign(graph.blocks.size(), false);
     for (const std::uint32_t b : flow_.loops()[l].blocks) loop.inside[b] = true;
     loop.counts.assign(graph.blocks.size(), false);
@@ -108,6 +132,18 @@ class Finder {
         if (on_run == best->first.second) loop.counts[b] = true;
       });
     return true;
+  }
+
+  // `add.s32 %r1, %r1, 32` that became R5 = R5 + 128 makes four steps at once; 0 for what is no such counter.
+  static std::uint32_t steps_of(const Instruction& instruction, const profiler::Instruction& of_ptx) {
+    const bool counts = instruction.instruction_class == InstructionClass::integer && instruction.has_immediate &&
+                        instruction.destination == instruction.source;
+    static const std::regex add(R"(^add\.[a-z0-9]+\s+(%\w+),\s*(%\w+),\s*(-?\d+);?$)");
+    std::smatch match;
+    if (!counts || !std::regex_match(of_ptx.text, match, add) || match[1] != match[2]) return 0;
+    const std::int64_t step = std::stoll(match[3]);
+    if (step == 0 || instruction.immediate % step != 0 || instruction.immediate / step <= 0) return 0;
+    return static_cast<std::uint32_t>(instruction.immediate / step);
   }
 
   static int weight(const CodeGraph& code, const std::pair<std::uint32_t, std::uint16_t>& instruction) {

@@ -18,6 +18,8 @@ struct TripLoop {
   // a trip is counted does not matter, as long as code and trace count it at the same place.
   std::vector<bool> counts;
   std::vector<std::uint32_t> copies;  // [blocks of the code]: trips that the block makes
+  // [blocks of the code]: whether it makes them under a predicate, if so many are left.
+  std::vector<bool> predicated;
   // [blocks of the code]: between the first and the last of the loop's copies and guards.
   std::vector<bool> region;
 };

@@ -45,7 +45,7 @@ struct Listing {
 
 // The architecture is the first "sm_NN" or "SMNN" of the file. A kernel begins where the address is 0.
 inline Listing read_listing(const std::filesystem::path& path) {
-  static const std::regex arch("[sS][mM]_?([0-9]+)"), label(R"(^\s*`?\(?(\.L_[A-Za-z0-9_$]+)\)?:)"),
+  static const std::regex arch("[sS][mM]_?([0-9]+)"), label(R"(^\s*([.$][A-Za-z0-9_.$]+):)"),
       name(R"((?:kernel|Function :|\.text\.)\s*([A-Za-z_][A-Za-z0-9_$]*))"),
       first(R"(/\*([0-9a-f]{4,})\*/\s+\{?\s*(@!?U?P[0-9T]\s+)?([A-Z][A-Z0-9_.a-z]*)\s*([^;]*);.*/\* 0x([0-9a-f]{16}) \*/)"),
       second(R"(^\s*/\* 0x([0-9a-f]{16}) \*/)");

@@ -33,7 +33,7 @@ bool is_named(std::string_view listed, std::string_view ours) {
 
 // Where the operands of a jump point: `(.L_x_3) or 0x1b0.
 std::uint32_t listed_target(const ListedKernel& kernel, const std::string& operands) {
-  static const std::regex to_label(R"(`\((\.L_[A-Za-z0-9_$]+)\))"), to_address("0x([0-9a-f]+)");
+  static const std::regex to_label(R"(`\(([.$][A-Za-z0-9_.$]+)\))"), to_address("0x([0-9a-f]+)");
   std::smatch match;
   if (std::regex_search(operands, match, to_label)) {
     const auto found = kernel.labels.find(match[1]);
