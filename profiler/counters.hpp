@@ -104,10 +104,10 @@ struct WhatIfTotals {
 
 // What an instruction is in the counts.
 struct WeightsUsed {
-  bool sass = false;           // those of the machine code, replayed; else those of the PTX
-  bool asked = false;          // whether the machine code was asked for
-  std::string arch, ptxas;     // what it was assembled for, and the version that did
-  std::string reason;          // why those of the PTX, where others were asked for
+  bool sass = false;            // those of the machine code, replayed; else those of the PTX
+  bool asked = false;           // whether the machine code was asked for
+  std::string arch, ptxas;      // what it was assembled for, and the version that did
+  std::string reason;           // why those of the PTX, where others were asked for
   std::uint64_t underived = 0;  // choices of lanes and warps that the traces do not tell: then the PTX counts
   // Choices of lanes that were taken not to need the routines for rare operands (of a division, say).
   std::uint64_t fast_paths = 0;
@@ -120,7 +120,7 @@ struct LaunchCounters {
   std::uint32_t warp_width = 32;
   std::string policy;
   std::uint64_t warps = 0;
-  WeightsUsed weights;                      // of totals, lines and branches; blocks are those of the PTX
+  WeightsUsed weights;  // of totals, lines and branches; blocks are those of the PTX
   Totals totals;
   std::vector<LineTotals> lines;            // sorted by file, line
   std::vector<BlockTotals> blocks;          // every block, in order

@@ -158,8 +158,8 @@ WarpCounters run_counted(const KernelGraph& graph, Launch& launch, const Profile
   std::vector<Thread> of_threads;
   for (std::uint64_t thread = 0; thread < std::min<std::uint64_t>(n_threads(options), launch.n_chunks());
        ++thread)
-    of_threads.push_back(
-        {WarpCounters(graph, options.warp_width), replay.new_replayer(), what_if ? &what_if->new_visitor() : nullptr});
+    of_threads.push_back({WarpCounters(graph, options.warp_width), replay.new_replayer(),
+                          what_if ? &what_if->new_visitor() : nullptr});
   const auto work = [&](std::size_t thread) {
     const auto merger = make_counting_merger(graph, options.policy, of_threads[thread].counters);
     MergingVisitor visitor(*merger, of_threads[thread].replayer, options.warp_width,
@@ -192,9 +192,10 @@ LaunchCounters profile_launch(const Executable& executable, const LaunchShape& s
                                   options.trace_memory, options.skip_unknown_keys});
   Launch launch(executable, shape, arguments, options, what_if ? what_if->groups_a_chunk() : 1);
   sass::LaunchReplay replay(executable, options);
-  const WarpCounters counters = options.observer != nullptr
-                                    ? run_observed(graph, launch, options, what_if ? &*what_if : nullptr)
-                                    : run_counted(graph, launch, options, replay, what_if ? &*what_if : nullptr);
+  const WarpCounters counters =
+      options.observer != nullptr
+          ? run_observed(graph, launch, options, what_if ? &*what_if : nullptr)
+          : run_counted(graph, launch, options, replay, what_if ? &*what_if : nullptr);
   LaunchCounters result;
   result.kernel = graph.kernel;
   result.shape = shape;

@@ -11,7 +11,8 @@ namespace warpgrain::reports {
 namespace {
 
 constexpr std::string_view limit_of_ptx =
-    "Instructions are those of the PTX. A GPU runs SASS, which ptxas makes of it: against an H100, PTX counts of "
+    "Instructions are those of the PTX. A GPU runs SASS, which ptxas makes of it: against an H100, PTX "
+    "counts of "
     "warp instructions were 14 to 25 % low and SIMT efficiency lay between 1 % below and 13 % above.";
 constexpr std::string_view limit_of_sass =
     "Instructions are those of the machine code that ptxas makes; a driver's own assembler may be of another "

@@ -36,8 +36,8 @@ KernelGraph build_graph(const Module& module, const Function& kernel, std::span<
                                         facts.instruction_class, facts.accessed_bytes});
       if (facts.instruction_class == InstructionClass::barrier) graph.has_barrier = true;
       if (facts.instruction_class == InstructionClass::warp_level) graph.has_warp_level = true;
-      basic_block.instructions.push_back(
-          {facts.instruction_class, facts.sfu_operations, located(statement.location), statement.text, statement.line});
+      basic_block.instructions.push_back({facts.instruction_class, facts.sfu_operations,
+                                          located(statement.location), statement.text, statement.line});
     }
     graph.blocks.push_back(std::move(basic_block));
   }

@@ -43,7 +43,7 @@ class Cutter {
     graph_.instructions = decode(code.text, sm);
     note_lines(code.lines, graph_.instructions);
     for (const std::uint32_t address : code.branch_table)
-      if (is_inside(address)) table_.push_back(address / instruction_bytes);
+      table_.push_back(is_inside(address) ? address / instruction_bytes : no_code);
   }
 
   CodeGraph cut() {
@@ -58,9 +58,7 @@ class Cutter {
       first = last;
     }
     for (std::uint32_t b = 0; b < graph_.blocks.size(); ++b) finish(b);
-    for (const std::uint32_t at : table_)
-      if (std::ranges::find(graph_.table, block_at(at)) == graph_.table.end())
-        graph_.table.push_back(block_at(at));
+    fill_tables();
     return std::move(graph_);
   }
 
@@ -86,7 +84,8 @@ class Cutter {
       if (all[k].flow == Flow::meet || all[k].flow == Flow::warp_meet) begins_[k] = true;
       if (all[k].flow == Flow::branch || all[k].flow == Flow::call) begins_[target_of(all[k])] = true;
     }
-    for (const std::uint32_t at : table_) begins_[at] = true;
+    for (const std::uint32_t at : table_)
+      if (at != no_code) begins_[at] = true;
   }
 
   std::uint32_t block_at(std::uint32_t instruction) const {
@@ -130,18 +129,47 @@ class Cutter {
     }
   }
 
+  // Where the table of an indirect branch begins in the constant bank: the load before it says so.
+  std::uint32_t table_begin(const CodeBlock& block) const {
+    for (std::uint32_t k = block.last; k-- > 0;)
+      if (graph_.instructions[k].constant_bank == branch_table_bank)
+        return graph_.instructions[k].constant_offset / static_cast<std::uint32_t>(sizeof(std::uint32_t));
+    return 0;
+  }
+
+  // A table ends where the next one begins.
+  void fill_tables() {
+    std::vector<std::uint32_t> begins{static_cast<std::uint32_t>(table_.size())};
+    for (const CodeBlock& block : graph_.blocks)
+      if (block.end == End::indirect) begins.push_back(table_begin(block));
+    std::ranges::sort(begins);
+    for (CodeBlock& block : graph_.blocks) {
+      if (block.end != End::indirect) continue;
+      const std::uint32_t begin = table_begin(block);
+      const auto end = std::ranges::upper_bound(begins, begin);
+      for (std::uint32_t k = begin; end != begins.end() && k < *end; ++k) {
+        if (table_[k] == no_code) continue;
+        const std::uint32_t to = block_at(table_[k]);
+        if (std::ranges::find(block.table, to) == block.table.end()) block.table.push_back(to);
+      }
+      if (block.table.empty())
+        throw_input_error(fmt::format("machine code at 0x{:x}", graph_.last_of(block).address),
+                          "a jump through no table", "one in the constant bank");
+    }
+  }
+
   static void note_action(const Instruction& i, const Instruction& last, CodeBlock& block) {
     if (i.flow != Flow::open && i.flow != Flow::leave && i.flow != Flow::save && i.flow != Flow::restore)
       return;
     MaskAction action{i.flow, i.barrier, i.reg, MaskAction::Lanes::all};
     if (i.flow == Flow::leave && i.guard != always && last.guard == i.guard)
-      action.lanes = last.guard_negated == i.guard_negated ? MaskAction::Lanes::taken
-                                                           : MaskAction::Lanes::not_taken;
+      action.lanes =
+          last.guard_negated == i.guard_negated ? MaskAction::Lanes::taken : MaskAction::Lanes::not_taken;
     block.actions.push_back(action);
   }
 
   CodeGraph graph_;
-  std::vector<std::uint32_t> table_;  // instructions
+  std::vector<std::uint32_t> table_;  // of the constant bank: instructions, no_code for other words
   std::vector<bool> begins_;
 };
 

@@ -14,7 +14,7 @@ inline constexpr std::uint32_t no_code = 0xFFFFFFFF;
 enum class End : std::uint8_t {
   next,       // goes on with the block behind it, or to `target`
   guard,      // some lanes do what the last instruction says, the others go on with `next`
-  indirect,   // to one of CodeGraph::table
+  indirect,   // to one of `table`
   call,       // to `target`, and comes back to `next`
   ret,        // from a call
   exit,       // the lane ends
@@ -25,7 +25,7 @@ enum class End : std::uint8_t {
 // Something done to a barrier's mask before the block ends.
 struct MaskAction {
   enum class Lanes : std::uint8_t { all, taken, not_taken };  // of BREAK: which of those that end the block
-  Flow flow = Flow::open;  // open, leave, save or restore
+  Flow flow = Flow::open;                                     // open, leave, save or restore
   std::uint8_t barrier = 0;
   std::uint8_t reg = 0;
   Lanes lanes = Lanes::all;
@@ -41,12 +41,12 @@ struct CodeBlock {
   std::uint8_t barrier = 0;
   bool if_divergent = false;  // a guard that warps take whose lanes have parted
   std::vector<MaskAction> actions;
+  std::vector<std::uint32_t> table;  // where an indirect branch can go, in the order of its table, each once
 };
 
 struct CodeGraph {
   std::vector<Instruction> instructions;
-  std::vector<CodeBlock> blocks;     // [0] is the entry; by address
-  std::vector<std::uint32_t> table;  // where indirect branches can go, in the order of the table, each once
+  std::vector<CodeBlock> blocks;  // [0] is the entry; by address
 
   const Instruction& last_of(const CodeBlock& block) const { return instructions[block.last - 1]; }
 };

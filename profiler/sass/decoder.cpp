@@ -8,6 +8,7 @@ namespace warpgrain::profiler::sass {
 namespace {
 
 constexpr std::size_t instruction_bytes = 16;
+constexpr std::uint16_t load_constant = 0xB82;  // LDC
 
 struct Word {
   std::uint64_t low, high;
@@ -34,8 +35,7 @@ std::uint32_t branch_target(const Word& word, std::uint32_t address, unsigned sm
 
 // BSSY: 30 bits in units of four bytes.
 std::uint32_t meeting_target(const Word& word, std::uint32_t address) {
-  return static_cast<std::uint32_t>(address + instruction_bytes +
-                                    sign_extended(word.bits(34, 63), 30) * 4);
+  return static_cast<std::uint32_t>(address + instruction_bytes + sign_extended(word.bits(34, 63), 30) * 4);
 }
 
 constexpr std::uint16_t operation_number(std::uint16_t opcode) { return opcode & 0x1FFU; }
@@ -130,6 +130,10 @@ std::vector<Instruction> decode(std::string_view code, unsigned sm) {
     instruction.source = static_cast<std::uint8_t>(word.bits(24, 31));
     instruction.has_immediate = (instruction.opcode >> 9 & 7U) == 4;
     instruction.immediate = static_cast<std::int32_t>(word.bits(32, 63));
+    if (instruction.opcode == load_constant) {
+      instruction.constant_offset = static_cast<std::uint32_t>(word.bits(38, 53));
+      instruction.constant_bank = static_cast<std::uint8_t>(word.bits(54, 58));
+    }
     if (const Operation* operation = find_operation(operation_number(instruction.opcode))) {
       instruction.instruction_class = operation->instruction_class;
       instruction.special_function = operation->special_function;

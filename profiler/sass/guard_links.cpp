@@ -13,9 +13,7 @@ namespace {
 using LineCounts = std::unordered_map<std::uint32_t, int>;
 using LineSet = std::unordered_set<std::uint32_t>;
 
-bool is_plain(const Instruction& i) {
-  return i.flow == Flow::none && mnemonic(i) != "NOP";
-}
+bool is_plain(const Instruction& i) { return i.flow == Flow::none && mnemonic(i) != "NOP"; }
 
 class Linker {
  public:
@@ -160,8 +158,8 @@ class Linker {
   }
 
   // Above 0: lanes that take the guard went the first way.
-  int count_votes(const CodeBlock& block, const LineCounts& taken, const LineCounts& next, const LineSet& first,
-                  const LineSet& second, const std::vector<std::uint32_t>& ways) const {
+  int count_votes(const CodeBlock& block, const LineCounts& taken, const LineCounts& next,
+                  const LineSet& first, const LineSet& second, const std::vector<std::uint32_t>& ways) const {
     int votes = 0;
     const auto add = [&](const LineCounts& counts, int sign) {
       for (const auto& [line, count] : counts) {
@@ -201,8 +199,8 @@ class Linker {
         entry = taken.erase(entry);
       else
         ++entry;
-    return count_votes(block, taken, next, lines_from(ways[0], self, false),
-                       lines_from(ways[1], self, false), ways);
+    return count_votes(block, taken, next, lines_from(ways[0], self, false), lines_from(ways[1], self, false),
+                       ways);
   }
 
   LineCounts lines_reached(std::uint32_t from, std::uint32_t but) const {

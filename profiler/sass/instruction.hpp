@@ -27,7 +27,8 @@ enum class Flow : std::uint8_t {
   warp_meet,  // WARPSYNC
 };
 
-inline constexpr std::uint8_t always = 7;  // the predicate that is true, PT
+inline constexpr std::uint8_t always = 7;             // the predicate that is true, PT
+inline constexpr std::uint8_t branch_table_bank = 2;  // the constant bank of the tables of indirect branches
 inline constexpr std::uint32_t no_target = 0xFFFFFFFF;
 
 struct Instruction {
@@ -38,7 +39,8 @@ struct Instruction {
   Flow flow = Flow::none;
   std::uint8_t guard = always;  // the predicate that it runs under
   bool guard_negated = false;
-  // Of a branch: a second predicate that it depends on (`BRA P1, target`, or a uniform one), `always` if none.
+  // Of a branch: a second predicate that it depends on (`BRA P1, target`, or a uniform one), `always` if
+  // none.
   std::uint8_t condition = always;
   bool condition_negated = false;
   bool uniform_condition = false;
@@ -50,11 +52,16 @@ struct Instruction {
   std::uint8_t destination = 0, source = 0;
   bool has_immediate = false;
   std::int32_t immediate = 0;
+  // Of a load from the constant banks: which, and where in it; bank 0xFF of others.
+  std::uint8_t constant_bank = 0xFF;
+  std::uint32_t constant_offset = 0;
   InstructionClass instruction_class = InstructionClass::other;
   bool special_function = false;  // issued to the pipe that ncu calls xu
 
   // Whether not all lanes that come to it need do it.
-  bool is_conditional() const { return guard != always || guard_negated || condition != always || condition_negated; }
+  bool is_conditional() const {
+    return guard != always || guard_negated || condition != always || condition_negated;
+  }
 };
 
 // "BRA", without modifiers; "?" for an opcode that is not known.

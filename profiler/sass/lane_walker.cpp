@@ -5,7 +5,11 @@
 namespace warpgrain::profiler::sass {
 
 LaneWalker::LaneWalker(const ReplayPlan& plan, const PtxDecisions& decisions, ReplayCounters& counters)
-    : plan_(plan), counters_(counters), has_guard_(decisions.count(), false), follows_(decisions.count(), false), trips_left_(plan.loops.size()) {
+    : plan_(plan),
+      counters_(counters),
+      has_guard_(decisions.count(), false),
+      follows_(decisions.count(), false),
+      trips_left_(plan.loops.size()) {
   const KernelGraph& graph = decisions.graph();
   for (std::uint32_t b = 0; b < graph.blocks.size(); ++b) {
     std::uint32_t end = no_block;

@@ -10,8 +10,8 @@
 
 namespace warpgrain::profiler::sass {
 
-// What a lane chose at each node of its way, in order: at guards whose rule is decision, trips or unknown 1 if
-// it took the guard, else 0; at indirect branches the entry of the table. Other nodes leave no choice.
+// What a lane chose at each node of its way, in order: at guards whose rule is decision, trips or unknown 1
+// if it took the guard, else 0; at indirect branches the entry of the table. Other nodes leave no choice.
 using Choices = std::vector<std::uint16_t>;
 
 // One a thread.
@@ -24,7 +24,7 @@ class LaneWalker {
   void walk(const BlockIndex* trace, Choices& choices);
 
  private:
-  struct Run {  // what an entry of the trace stands for
+  struct Run {                             // what an entry of the trace stands for
     std::uint32_t decision = no_decision;  // at its end
     std::uint32_t first_way = no_code;     // the block to which the first way of the decision goes
   };
@@ -39,16 +39,16 @@ class LaneWalker {
 
   const ReplayPlan& plan_;
   ReplayCounters& counters_;
-  std::vector<Run> runs_;                  // [blocks of the PTX]
-  std::vector<std::uint32_t> run_end_;     // [blocks of the PTX]: the block with the decision
-  std::vector<bool> has_guard_;            // [decisions]: some guard or table stands for it
-  std::vector<bool> follows_;              // [decisions]: some guard does what it does, each time
-  // [decisions][blocks of the PTX]: 1 + the way of the decision that goes to the block, where a decision before
-  // it, folded into its guard, can go there as well and so pass it by; else 0.
+  std::vector<Run> runs_;               // [blocks of the PTX]
+  std::vector<std::uint32_t> run_end_;  // [blocks of the PTX]: the block with the decision
+  std::vector<bool> has_guard_;         // [decisions]: some guard or table stands for it
+  std::vector<bool> follows_;           // [decisions]: some guard does what it does, each time
+  // [decisions][blocks of the PTX]: 1 + the way of the decision that goes to the block, where a decision
+  // before it, folded into its guard, can go there as well and so pass it by; else 0.
   std::vector<std::vector<std::uint8_t>> folded_;
-  const BlockIndex* trace_ = nullptr;      // what has not been used yet; never beyond its end
-  std::vector<std::int64_t> trips_left_;   // [loops]
-  std::vector<std::uint32_t> returns_;     // nodes of calls that have not come back
+  const BlockIndex* trace_ = nullptr;     // what has not been used yet; never beyond its end
+  std::vector<std::int64_t> trips_left_;  // [loops]
+  std::vector<std::uint32_t> returns_;    // nodes of calls that have not come back
   bool fits_ = true;
 };
 

@@ -30,10 +30,11 @@ std::string gaps(const MachineKernel& kernel, const ReplayCounters& counters) {
   for (std::size_t n = 0; n < counters.underived.size(); ++n) {
     const Instruction& guard = kernel.code.last_of(kernel.code.blocks[kernel.plan.nodes[n].block]);
     if (counters.underived[n] != 0)
-      found.emplace_back(counters.underived[n],
-                         fmt::format("{} at 0x{:x} (PTX line {})", mnemonic(guard), guard.address, guard.line));
+      found.emplace_back(counters.underived[n], fmt::format("{} at 0x{:x} (PTX line {})", mnemonic(guard),
+                                                            guard.address, guard.line));
   }
-  if (counters.out_of_step != 0) found.emplace_back(counters.out_of_step, "lanes whose trace went another way");
+  if (counters.out_of_step != 0)
+    found.emplace_back(counters.out_of_step, "lanes whose trace went another way");
   if (counters.stuck != 0) found.emplace_back(counters.stuck, "meetings that some lanes did not come to");
   std::ranges::sort(found, std::greater{});
   std::vector<std::string> texts;
@@ -63,7 +64,8 @@ void LaunchReplay::prepare(const Executable& executable, const ProfileOptions& o
   if (!in_the_way.empty()) throw InputError(std::string(in_the_way));
   const std::optional<Ptxas> ptxas = find_ptxas();
   if (!ptxas)
-    throw InputError("ptxas is not installed: not in PATH, nor below CUDA_HOME, CUDA_PATH or /usr/local/cuda");
+    throw InputError(
+        "ptxas is not installed: not in PATH, nor below CUDA_HOME, CUDA_PATH or /usr/local/cuda");
   used_.arch = options.weights.arch;
   used_.ptxas = ptxas->version;
   kernel_ = assemble_kernel(*ptxas, executable.ptx(), executable.graph(), options.weights.arch);

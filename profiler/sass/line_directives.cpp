@@ -19,7 +19,8 @@ std::set<std::uint32_t> statement_lines(std::string_view text) {
 }
 
 bool is_debug_label(std::string_view line) {
-  return line.starts_with("$L__tmp") || line.starts_with("$L__func_begin") || line.starts_with("$L__func_end");
+  return line.starts_with("$L__tmp") || line.starts_with("$L__func_begin") ||
+         line.starts_with("$L__func_end");
 }
 
 bool is_line_directive(std::string_view line) {

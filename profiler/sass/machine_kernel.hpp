@@ -25,9 +25,9 @@ struct MachineKernel {
 // 128 bits long (before sm_75) or not known (after sm_90).
 unsigned architecture_number(std::string_view arch);
 
-// Assembles the module, with lines and without, and makes sure that the machine code is the same; the last few
-// modules are kept. Throws InputError where ptxas does not take the module, or the code cannot be replayed.
-// `graph`, of the kernel in that module, outlives the result.
+// Assembles the module, with lines and without, and makes sure that the machine code is the same; the last
+// few modules are kept. Throws InputError where ptxas does not take the module, or the code cannot be
+// replayed. `graph`, of the kernel in that module, outlives the result.
 std::unique_ptr<MachineKernel> assemble_kernel(const Ptxas& ptxas, std::string_view ptx,
                                                const KernelGraph& graph, std::string_view arch);
 

@@ -25,7 +25,8 @@ PtxDecisions::PtxDecisions(const KernelGraph& graph)
   }
   for (std::uint32_t b = 0; b < graph.blocks.size(); ++b) {
     std::uint32_t at = b;
-    for (std::size_t steps = 0; steps < graph.blocks.size() && graph.blocks[at].successors.size() == 1; ++steps)
+    for (std::size_t steps = 0; steps < graph.blocks.size() && graph.blocks[at].successors.size() == 1;
+         ++steps)
       at = graph.blocks[at].successors[0];
     if (at_end_[at] != no_decision) way_end_[b] = at;
     at = b;

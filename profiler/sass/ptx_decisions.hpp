@@ -16,9 +16,9 @@ struct PtxPlace {
   std::uint32_t block = 0, instruction = 0;
 };
 
-// A trace names the recorded blocks; the others follow on the straight run from one of them. What comes behind a
-// run that ends in a decision is where it went. Decisions are numbered by the line of their instruction, so
-// that copies of an inlined function are one.
+// A trace names the recorded blocks; the others follow on the straight run from one of them. What comes
+// behind a run that ends in a decision is where it went. Decisions are numbered by the line of their
+// instruction, so that copies of an inlined function are one.
 class PtxDecisions {
  public:
   explicit PtxDecisions(const KernelGraph& graph);
@@ -28,8 +28,8 @@ class PtxDecisions {
   const std::vector<std::uint32_t>& blocks_of(std::uint32_t decision) const { return blocks_[decision]; }
   // The decision at the end of the block itself, or no_decision.
   std::uint32_t at_end_of(std::uint32_t block) const { return at_end_[block]; }
-  // The block with a decision that the straight way from `block` comes to, itself included; no_block where the
-  // lane ends first.
+  // The block with a decision that the straight way from `block` comes to, itself included; no_block where
+  // the lane ends first.
   std::uint32_t way_end(std::uint32_t block) const { return way_end_[block]; }
   // The block that must have gone before `block` and decided to go there, over a straight way; no_block where
   // there is no single one.

@@ -58,9 +58,10 @@ std::vector<std::string> contradictions(const MachineKernel& kernel, const Repla
       instruction = &graph.blocks[place.block].instructions[place.instruction];
       lanes += lanes_of(of_ptx.executions(place.block));
     }
-    if (instruction == nullptr || !has_effect(instruction->instruction_class) || lanes == count.lanes) continue;
-    found.push_back(fmt::format("PTX line {}, '{}': {} lanes, in the machine code {}", line, instruction->text,
-                                lanes, count.lanes));
+    if (instruction == nullptr || !has_effect(instruction->instruction_class) || lanes == count.lanes)
+      continue;
+    found.push_back(fmt::format("PTX line {}, '{}': {} lanes, in the machine code {}", line,
+                                instruction->text, lanes, count.lanes));
   }
   return found;
 }

@@ -13,6 +13,7 @@ void add_to(std::vector<std::uint64_t>& sums, const std::vector<std::uint64_t>& 
 
 ReplayCounters::ReplayCounters(const CodeGraph& code, const ReplayPlan& plan, const KernelGraph& graph)
     : block_executions(code.blocks.size() * (replayed_warp_width + 1)),
+      issued_again(code.blocks.size() * (replayed_warp_width + 1)),
       divergent(code.blocks.size()),
       taken_lanes(code.blocks.size()),
       lane_slots_lost(graph.blocks.size() + 1),
@@ -21,6 +22,7 @@ ReplayCounters::ReplayCounters(const CodeGraph& code, const ReplayPlan& plan, co
 void ReplayCounters::add(const ReplayCounters& other) {
   warps += other.warps;
   add_to(block_executions, other.block_executions);
+  add_to(issued_again, other.issued_again);
   add_to(divergent, other.divergent);
   add_to(taken_lanes, other.taken_lanes);
   add_to(lane_slots_lost, other.lane_slots_lost);

@@ -17,7 +17,11 @@ struct ReplayCounters {
   void add(const ReplayCounters& other);  // of the same plan
 
   std::span<const std::uint64_t> executions(std::uint32_t block) const {
-    return {block_executions.data() + std::size_t{block} * (replayed_warp_width + 1), replayed_warp_width + 1};
+    return {block_executions.data() + std::size_t{block} * (replayed_warp_width + 1),
+            replayed_warp_width + 1};
+  }
+  std::span<const std::uint64_t> again(std::uint32_t block) const {
+    return {issued_again.data() + std::size_t{block} * (replayed_warp_width + 1), replayed_warp_width + 1};
   }
   // The number under which lane slots count of lanes that do not exist.
   std::uint32_t never_used() const { return static_cast<std::uint32_t>(lane_slots_lost.size() - 1); }
@@ -27,12 +31,15 @@ struct ReplayCounters {
 
   std::uint64_t warps = 0;
   std::vector<std::uint64_t> block_executions;  // [blocks of the code][warp_width + 1], by active lanes
-  std::vector<std::uint64_t> divergent;         // [blocks of the code]: of these, lanes went different ways
-  std::vector<std::uint64_t> taken_lanes;       // [blocks of the code]: lanes that took the guard
-  std::vector<std::uint64_t> lane_slots_lost;   // [blocks of the PTX + 1], by the decision at the block's end
-  std::vector<std::uint64_t> underived;         // [nodes]: choices of lanes that could not be derived
-  std::uint64_t out_of_step = 0;                // lanes whose trace and way through the code do not fit
-  std::uint64_t stuck = 0;       // meetings that lanes were expected at that could not come
+  // The same of the last instruction of each block, where it was issued again: an indirect branch for the
+  // lanes that are left after each way, a BSYNC whose group is let go by others that leave.
+  std::vector<std::uint64_t> issued_again;
+  std::vector<std::uint64_t> divergent;    // [blocks of the code]: executions whose lanes went different ways
+  std::vector<std::uint64_t> taken_lanes;  // [blocks of the code]: lanes that took the guard
+  std::vector<std::uint64_t> lane_slots_lost;  // [blocks of the PTX + 1], by the decision at the block's end
+  std::vector<std::uint64_t> underived;        // [nodes]: choices of lanes that could not be derived
+  std::uint64_t out_of_step = 0;               // lanes whose trace and way through the code do not fit
+  std::uint64_t stuck = 0;                     // meetings that lanes were expected at that could not come
   std::uint64_t fast_paths = 0;  // choices of lanes that were taken not to need a routine for rare operands
 };
 

@@ -66,7 +66,7 @@ class Planner {
         node.loop = l;
         return node;
       }
-    node.rule = block.if_divergent                           ? Rule::together
+    node.rule = block.if_divergent                        ? Rule::together
                 : link.kind == GuardLink::Kind::fast_path ? Rule::fast_path
                 : link.kind == GuardLink::Kind::decision  ? Rule::decision
                                                           : Rule::unknown;
@@ -77,12 +77,13 @@ class Planner {
     const CodeBlock& block = code_.blocks[node.block];
     if (node.rule == Rule::end || node.rule == Rule::ret) return;
     if (node.rule == Rule::indirect) {
-      for (const std::uint32_t to : code_.table) node.table.push_back(way_from(node.block, to));
+      for (const std::uint32_t to : block.table) node.table.push_back(way_from(node.block, to));
       note_table(node);
       return;
     }
     node.next = way_from(node.block, block.next);
-    const bool jumps = node.rule == Rule::call || block.guarded == Flow::branch || block.guarded == Flow::call;
+    const bool jumps =
+        node.rule == Rule::call || block.guarded == Flow::branch || block.guarded == Flow::call;
     node.taken = jumps ? way_from(node.block, block.target) : end_way();
   }
 
@@ -94,7 +95,8 @@ class Planner {
     for (std::size_t steps = 0; block != no_code && steps <= code_.blocks.size(); ++steps) {
       for (std::uint32_t l = 0; l < plan_.loops.size(); ++l) {
         const TripLoop& loop = plan_.loops[l];
-        if (loop.region[block] && (from == no_code || !loop.region[from])) way.events.push_back({l, 0, false});
+        if (loop.region[block] && (from == no_code || !loop.region[from]))
+          way.events.push_back({l, 0, false});
         if (loop.copies[block] != 0) way.events.push_back({l, loop.copies[block], loop.predicated[block]});
       }
       if (!goes_on(code_.blocks[block].end)) {
@@ -111,13 +113,14 @@ class Planner {
   // first; entries with the fewest blocks choose first.
   void note_table(Node& node) const {
     std::vector<std::vector<std::uint32_t>> ways;
-    for (const std::uint32_t entry : code_.table) ways.push_back(blocks_on_way(entry));
+    for (const std::uint32_t entry : code_.blocks[node.block].table) ways.push_back(blocks_on_way(entry));
     std::vector<std::uint32_t> by_length(ways.size());
     std::iota(by_length.begin(), by_length.end(), 0U);
     std::ranges::stable_sort(by_length, {}, [&](std::uint32_t k) { return ways[k].size(); });
     std::vector<std::uint32_t> entry_of(decisions_.graph().blocks.size(), no_code);
     for (const std::uint32_t k : by_length) {
-      const auto free = std::ranges::find_if(ways[k], [&](std::uint32_t b) { return entry_of[b] == no_code; });
+      const auto free =
+          std::ranges::find_if(ways[k], [&](std::uint32_t b) { return entry_of[b] == no_code; });
       if (free != ways[k].end()) entry_of[*free] = k;
     }
     node.table_of.assign(entry_of.size(), no_code);
@@ -138,7 +141,11 @@ class Planner {
             std::ranges::find(blocks, places[0].block) == blocks.end())
           blocks.push_back(places[0].block);
       }
-      if (!goes_on(block.end)) break;
+      if (!goes_on(block.end)) {
+        const auto& places = decisions_.places(code_.last_of(block).line);
+        if (blocks.empty() && !places.empty()) blocks.push_back(places[0].block);
+        break;
+      }
       code_block = block.next;
     }
     return blocks;

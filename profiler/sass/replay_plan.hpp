@@ -52,10 +52,10 @@ struct Node {
   bool takes_fast_path = false;
   std::uint32_t loop = 0;  // of trips
   TripSide taken_side, next_side;
-  Way taken, next;               // of a call: to the routine, and back
-  std::vector<Way> table;        // of an indirect branch, [CodeGraph::table]
-  std::vector<std::uint32_t> table_of;  // of an indirect branch, [blocks of the PTX]: entry of the table that a run
-                                        // from there speaks for, or no_code
+  Way taken, next;                      // of a call: to the routine, and back
+  std::vector<Way> table;               // of an indirect branch, [CodeBlock::table]
+  std::vector<std::uint32_t> table_of;  // of an indirect branch, [blocks of the PTX]: entry of the table that
+                                        // a run from there speaks for, or no_code
 };
 
 struct ReplayPlan {

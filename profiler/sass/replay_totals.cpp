@@ -11,20 +11,36 @@
 namespace warpgrain::profiler::sass {
 namespace {
 
+// What ncu counts as a branch: jumps, calls and returns with or without a condition, but no EXIT.
+bool is_jump(const Instruction& instruction) {
+  switch (instruction.flow) {
+    case Flow::branch:
+    case Flow::indirect_branch:
+    case Flow::call:
+    case Flow::ret:
+      return true;
+    default:
+      return false;
+  }
+}
+
 class Summing {
  public:
-  Summing(const MachineKernel& kernel, const ReplayCounters& counters) : kernel_(kernel), counters_(counters) {}
+  Summing(const MachineKernel& kernel, const ReplayCounters& counters)
+      : kernel_(kernel), counters_(counters) {}
 
   // Adds one instruction of a block.
   void add(std::uint32_t b, std::uint32_t k, Totals& totals) const {
     const CodeBlock& block = kernel_.code.blocks[b];
     const Instruction& instruction = kernel_.code.instructions[k];
-    const auto executions = counters_.executions(b);
+    const auto executions = counters_.executions(b), again = counters_.again(b);
+    const bool is_last = k + 1 == block.last;
     std::uint64_t warps = 0, threads = 0;
     for (std::size_t lanes = 0; lanes < executions.size(); ++lanes) {
-      warps += executions[lanes];
-      threads += executions[lanes] * lanes;
-      totals.lane_histogram[lanes] += executions[lanes];
+      const std::uint64_t issued = executions[lanes] + (is_last ? again[lanes] : 0);
+      warps += issued;
+      threads += issued * lanes;
+      totals.lane_histogram[lanes] += issued;
     }
     totals.warp_instructions += warps;
     totals.thread_instructions += threads;
@@ -32,12 +48,15 @@ class Summing {
     InstructionCount& mix = totals.instruction_mix[static_cast<std::size_t>(instruction.instruction_class)];
     mix.warp += warps;
     mix.thread += threads;
-    // ncu counts no EXIT among the branches, whatever predicate it has.
-    const bool branches = (block.end == End::guard && block.guarded == Flow::branch) || block.end == End::indirect;
-    if (branches && k + 1 == block.last) {
-      totals.branches += warps;
+    if (!is_last || !is_jump(instruction)) return;
+    totals.branches += warps;
+    if (block.end != End::indirect) {
       totals.divergent_branches += counters_.divergent[b];
+      return;
     }
+    // Where an indirect branch goes k ways, k - 1 of its issues part lanes, and the last is no branch.
+    totals.branches -= counters_.divergent[b];
+    for (const std::uint64_t issues : again) totals.divergent_branches += issues;
   }
 
  private:

@@ -11,7 +11,8 @@
 namespace warpgrain::profiler::sass {
 namespace {
 
-using Copies = std::map<std::uint32_t, std::uint32_t>;  // block of the code -> how often an instruction stands there
+using Copies =
+    std::map<std::uint32_t, std::uint32_t>;  // block of the code -> how often an instruction stands there
 
 class Finder {
  public:
@@ -136,8 +137,8 @@ class Finder {
 
   // `add.s32 %r1, %r1, 32` that became R5 = R5 + 128 makes four steps at once; 0 for what is no such counter.
   static std::uint32_t steps_of(const Instruction& instruction, const profiler::Instruction& of_ptx) {
-    const bool counts = instruction.instruction_class == InstructionClass::integer && instruction.has_immediate &&
-                        instruction.destination == instruction.source;
+    const bool counts = instruction.instruction_class == InstructionClass::integer &&
+                        instruction.has_immediate && instruction.destination == instruction.source;
     static const std::regex add(R"(^add\.[a-z0-9]+\s+(%\w+),\s*(%\w+),\s*(-?\d+);?$)");
     std::smatch match;
     if (!counts || !std::regex_match(of_ptx.text, match, add) || match[1] != match[2]) return 0;
@@ -247,7 +248,8 @@ class Finder {
     for (std::uint32_t b = 0; b < code_.blocks.size(); ++b) {
       const CodeBlock& block = code_.blocks[b];
       if (block.end != End::guard || block.guarded != Flow::branch || loop.region[b]) continue;
-      if (links_[b].kind == GuardLink::Kind::fast_path || (!repeats(b) && links_[b].kind != GuardLink::Kind::unknown))
+      if (links_[b].kind == GuardLink::Kind::fast_path ||
+          (!repeats(b) && links_[b].kind != GuardLink::Kind::unknown))
         continue;
       const std::uint32_t taken = landing(loop, block.target), next = landing(loop, block.next);
       if (taken == no_code || next == no_code || !loop.region[taken] || !loop.region[next]) continue;

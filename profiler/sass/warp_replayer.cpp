@@ -78,6 +78,8 @@ class Replayer final : public WarpReplayer {
       ++counters_.block_executions[std::size_t{group.block} * (replayed_warp_width + 1) + n_lanes];
       partings_.issue(group.node, block.last - block.first);
       for (const MaskAction& action : block.actions) act(action, group.lanes);
+      if (left_ && !waiting_.empty()) release_any();
+      left_ = false;
       switch (block.end) {
         case End::next:
           group.block = block.next;
@@ -128,14 +130,12 @@ class Replayer final : public WarpReplayer {
         if (action.lanes == MaskAction::Lanes::all) leave(action.barrier, lanes);
         break;
       case Flow::save:
-        for_lanes(lanes, [&](std::uint32_t lane) {
-          saved_[action.reg][lane] = expected_[action.barrier][lane];
-        });
+        for_lanes(lanes,
+                  [&](std::uint32_t lane) { saved_[action.reg][lane] = expected_[action.barrier][lane]; });
         break;
       case Flow::restore:
-        for_lanes(lanes, [&](std::uint32_t lane) {
-          expected_[action.barrier][lane] = saved_[action.reg][lane];
-        });
+        for_lanes(lanes,
+                  [&](std::uint32_t lane) { expected_[action.barrier][lane] = saved_[action.reg][lane]; });
         break;
       default:
         break;
@@ -146,6 +146,13 @@ class Replayer final : public WarpReplayer {
     Mask others = 0;
     for_lanes(lanes, [&](std::uint32_t lane) { others |= expected_[barrier][lane]; });
     for_lanes(others, [&](std::uint32_t lane) { expected_[barrier][lane] &= ~lanes; });
+    left_ = true;
+  }
+
+  void issue_again(const Group& group, std::uint32_t block) {
+    const auto n_lanes = static_cast<std::size_t>(std::popcount(group.lanes));
+    ++counters_.issued_again[std::size_t{block} * (replayed_warp_width + 1) + n_lanes];
+    partings_.issue(group.node, 1);
   }
 
   void enter(Group& group, const CodeBlock& block) {
@@ -203,6 +210,7 @@ class Replayer final : public WarpReplayer {
         ++k;
         continue;
       }
+      if (left_) issue_again(waiting_[k], at);
       joined.node = joined.lanes == 0
                         ? waiting_[k].node
                         : partings_.join(joined.node, waiting_[k].node, joined.lanes | waiting_[k].lanes);
@@ -213,8 +221,8 @@ class Replayer final : public WarpReplayer {
     ready_.push_back(joined);
   }
 
-  // Nobody can go on. WARPSYNC's mask is in a register that the replay does not know: it meets those that have
-  // come when no other can.
+  // Nobody can go on. WARPSYNC's mask is in a register that the replay does not know: it meets those that
+  // have come when no other can.
   void force_release() {
     std::size_t chosen = waiting_.size();
     for (std::size_t k = 0; k < waiting_.size(); ++k) {
@@ -254,9 +262,10 @@ class Replayer final : public WarpReplayer {
     for (const MaskAction& action : block.actions)
       if (action.flow == Flow::leave && action.lanes != MaskAction::Lanes::all)
         leave(action.barrier, action.lanes == MaskAction::Lanes::taken ? taken : others);
+    if (left_ && !waiting_.empty()) release_any();
+    left_ = false;
     if (taken == 0) {
       group.block = block.next;
-      if (!waiting_.empty()) release_any();
       return true;
     }
     if (others != 0) {
@@ -269,12 +278,9 @@ class Replayer final : public WarpReplayer {
       partings_.release(group.node);
       ready_.push_back(rest);
       if (take(part, block)) ready_.push_back(part);
-      if (!waiting_.empty()) release_any();
       return false;
     }
-    if (!take(group, block)) return false;
-    if (!waiting_.empty()) release_any();
-    return true;
+    return take(group, block);
   }
 
   // Does what the lanes do that take a guard; whether they go on.
@@ -302,6 +308,7 @@ class Replayer final : public WarpReplayer {
 
   bool pass_table(Group& group) {
     const Node& node = plan_.nodes[plan_.node_of[group.block]];
+    const std::vector<std::uint32_t>& table = code_.blocks[group.block].table;
     std::array<std::uint16_t, replayed_warp_width> chosen{};
     for_lanes(group.lanes, [&](std::uint32_t lane) { chosen[lane] = *next_choice_[lane]++; });
     const auto first = static_cast<std::size_t>(std::countr_zero(group.lanes));
@@ -312,7 +319,7 @@ class Replayer final : public WarpReplayer {
     };
     Mask left = group.lanes & ~that_go(group.lanes, chosen[first]);
     if (left == 0) {
-      group.block = code_.table[chosen[first]];
+      group.block = table[chosen[first]];
       return true;
     }
     ++counters_.divergent[group.block];
@@ -322,8 +329,10 @@ class Replayer final : public WarpReplayer {
       const std::uint16_t entry = chosen[static_cast<std::size_t>(std::countr_zero(left))];
       const Mask lanes = that_go(left, entry);
       left &= ~lanes;
-      ready_.push_back({lanes, code_.table[entry], group.frame,
-                        partings_.part(group.node, cause, group.lanes & ~lanes, n_partings_)});
+      Group part{lanes, table[entry], group.frame,
+                 partings_.part(group.node, cause, group.lanes & ~lanes, n_partings_)};
+      if (left != 0) issue_again({left, 0, no_frame, group.node}, group.block);
+      ready_.push_back(part);
     }
     partings_.release(group.node);
     return false;
@@ -339,6 +348,7 @@ class Replayer final : public WarpReplayer {
   std::array<const std::uint16_t*, replayed_warp_width> next_choice_{};
   Mask alive_ = 0;
   std::uint64_t n_partings_ = 0;
+  bool left_ = false;                   // lanes have just left a barrier's mask
   std::vector<Group> ready_, waiting_;  // groups that wait stand at the block where they do
   std::vector<Frame> frames_;
   // Which lanes a lane of that barrier, or of that register, waits for.

@@ -56,8 +56,8 @@ TEST_F(Commands, ProfileDumpsAndReports) {
         "kernel void halves(global int* a) {\n  int i = get_global_id(0);\n"
         "  if (i % 32 < 16) {  // branch: lower half\n    a[i] = a[i] * 3 + i / (a[i] + 1);\n  }\n}\n");
   const std::string launch = write("k.sim", "k.cl\nhalves\n64 1 1\n64 1 1\n<size=256 int fill=1 dump>\n");
-  ASSERT_EQ(
-      call({"profile", launch, "--weights", "ptx", "--json", path("r.json"), "--html", path("r.html")}), 0)
+  ASSERT_EQ(call({"profile", launch, "--weights", "ptx", "--json", path("r.json"), "--html", path("r.html")}),
+            0)
       << err_;
   EXPECT_THAT(out_, HasSubstr("Argument 'a': 256 bytes\n  a[0] = 3"));
   EXPECT_THAT(out_, HasSubstr("lower half"));

@@ -1,6 +1,6 @@
 #pragma once
-// Reads listings as `nvdisasm -hex` and `cuobjdump -sass` print them: address, text and the two halves of each
-// instruction.
+// Reads listings as `nvdisasm -hex` and `cuobjdump -sass` print them: address, text and the two halves of
+// each instruction.
 
 #include <cstdint>
 #include <cstring>
@@ -47,7 +47,8 @@ struct Listing {
 inline Listing read_listing(const std::filesystem::path& path) {
   static const std::regex arch("[sS][mM]_?([0-9]+)"), label(R"(^\s*([.$][A-Za-z0-9_.$]+):)"),
       name(R"((?:kernel|Function :|\.text\.)\s*([A-Za-z_][A-Za-z0-9_$]*))"),
-      first(R"(/\*([0-9a-f]{4,})\*/\s+\{?\s*(@!?U?P[0-9T]\s+)?([A-Z][A-Z0-9_.a-z]*)\s*([^;]*);.*/\* 0x([0-9a-f]{16}) \*/)"),
+      first(
+          R"(/\*([0-9a-f]{4,})\*/\s+\{?\s*(@!?U?P[0-9T]\s+)?([A-Z][A-Z0-9_.a-z]*)\s*([^;]*);.*/\* 0x([0-9a-f]{16}) \*/)"),
       second(R"(^\s*/\* 0x([0-9a-f]{16}) \*/)");
   Listing listing;
   std::ifstream in(path);
@@ -70,7 +71,8 @@ inline Listing read_listing(const std::filesystem::path& path) {
       pending_labels.clear();
       listing.kernels.back().instructions.push_back(i);
     } else if (std::regex_search(line, match, second)) {
-      if (!listing.kernels.empty()) listing.kernels.back().instructions.back().high = std::stoull(match[1], nullptr, 16);
+      if (!listing.kernels.empty())
+        listing.kernels.back().instructions.back().high = std::stoull(match[1], nullptr, 16);
     } else if (std::regex_search(line, match, label)) {
       pending_labels.push_back(match[1]);
     } else if (std::regex_search(line, match, name)) {

@@ -33,7 +33,8 @@ class ReplayedKernel {
       const std::span<const LaneTrace> lanes = runner->run({group, 0, 0});
       merge_warps(*merger, lanes, replayed_warp_width);
       for (std::size_t first = 0; first < lanes.size(); first += replayed_warp_width)
-        replayer->replay(lanes.subspan(first, std::min<std::size_t>(replayed_warp_width, lanes.size() - first)));
+        replayer->replay(
+            lanes.subspan(first, std::min<std::size_t>(replayed_warp_width, lanes.size() - first)));
     }
   }
 
@@ -41,7 +42,7 @@ class ReplayedKernel {
   const ReplayCounters& replay() const { return replay_; }
   const WarpCounters& of_ptx() const { return of_ptx_; }
 
-  // How often warps, and lanes, issued instructions of that name.
+  // How often warps, and lanes, issued instructions of that name that no predicate can switch off.
   std::uint64_t warps_at(std::string_view name) const { return sum(name, false); }
   std::uint64_t lanes_at(std::string_view name) const { return sum(name, true); }
   // How many guards follow a rule.
@@ -68,7 +69,8 @@ class ReplayedKernel {
     std::uint64_t count = 0;
     for (std::uint32_t b = 0; b < kernel_->code.blocks.size(); ++b)
       for (std::uint32_t k = kernel_->code.blocks[b].first; k < kernel_->code.blocks[b].last; ++k) {
-        if (mnemonic(kernel_->code.instructions[k]) != name) continue;
+        const Instruction& instruction = kernel_->code.instructions[k];
+        if (mnemonic(instruction) != name || instruction.is_conditional()) continue;
         const auto executions = replay_.executions(b);
         for (std::size_t n = 0; n < executions.size(); ++n) count += executions[n] * (lanes ? n : 1);
       }
