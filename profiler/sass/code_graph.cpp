@@ -9,8 +9,6 @@
 namespace warpgrain::profiler::sass {
 namespace {
 
-constexpr std::uint32_t instruction_bytes = 16;
-
 bool ends_block(const Instruction& i) {
   switch (i.flow) {
     case Flow::branch:

@@ -7,7 +7,6 @@
 namespace warpgrain::profiler::sass {
 namespace {
 
-constexpr std::size_t instruction_bytes = 16;
 constexpr std::uint16_t load_constant = 0xB82;  // LDC
 
 struct Word {

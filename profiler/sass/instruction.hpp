@@ -27,6 +27,7 @@ enum class Flow : std::uint8_t {
   warp_meet,  // WARPSYNC
 };
 
+inline constexpr std::uint32_t instruction_bytes = 16;
 inline constexpr std::uint8_t always = 7;             // the predicate that is true, PT
 inline constexpr std::uint8_t branch_table_bank = 2;  // the constant bank of the tables of indirect branches
 inline constexpr std::uint32_t no_target = 0xFFFFFFFF;
