@@ -121,8 +121,10 @@ class Finder {
     }
     if (votes.empty()) return false;
     const auto best = std::ranges::max_element(votes, {}, [](const auto& vote) { return vote.second; });
-    for (const auto& [b, count] : best->first.first) loop.copies[b] = std::max(count, by_steps[b]);
-    for (const auto& [b, count] : by_steps) loop.copies[b] = std::max(loop.copies[b], count);
+    for (const auto& [b, count] : best->first.first) loop.copies[b] = count;
+    // A single step may stand in another block than the body that it belongs to.
+    for (const auto& [b, count] : by_steps)
+      if (count > 1) loop.copies[b] = std::max(loop.copies[b], count);
     for (std::uint32_t b = 0; b < code_.blocks.size(); ++b)
       if (loop.copies[b] == 0) loop.predicated[b] = false;
     loop.inside.assign(graph.blocks.size(), false);
