@@ -68,11 +68,11 @@ TEST(ThreadKey, ALineOfTwoFilesNeedsItsFile) {
   KernelGraph graph = hand_made_graph({{1, 2}, {2}, {}});
   graph.files = {"src/a.cl", "src/b.cl"};
   graph.blocks[1].instructions[0].location = {1, 1};  // as line 1 of a.cl
-  const SourceLines without_counts("", "");
-  EXPECT_THAT(refusal([&] { ThreadKey::find(graph, without_counts, "1"); }),
+  const SourceLines no_source("", "");
+  EXPECT_THAT(refusal([&] { ThreadKey::find(graph, no_source, "1"); }),
               HasSubstr("line 1 stands in src/a.cl and src/b.cl; expected FILE:LINE"));
-  EXPECT_TRUE(ThreadKey::find(graph, without_counts, "b.cl:1"));
-  EXPECT_TRUE(ThreadKey::find(graph, without_counts, "src/a.cl:1"));
+  EXPECT_TRUE(ThreadKey::find(graph, no_source, "b.cl:1"));
+  EXPECT_TRUE(ThreadKey::find(graph, no_source, "src/a.cl:1"));
 }
 
 TEST(ThreadPermutation, SortsWithinStretchesAndKeepsMissingThreadsInPlace) {
