@@ -1,5 +1,6 @@
 // `warpgrain compare`: two documents side by side, or a report beside what was measured.
 
+#include <filesystem>
 #include <fmt/format.h>
 #include <iostream>
 #include <memory>
@@ -13,6 +14,8 @@
 #include "cli/output.hpp"
 #include "core/error.hpp"
 #include "reports/comparison.hpp"
+#include "reports/document_format.hpp"
+#include "reports/merged_sweeps.hpp"
 
 namespace warpgrain::cli {
 namespace {
@@ -23,10 +26,14 @@ struct Options {
   OutputOptions output;
 };
 
-// A sweep's folder or index.
+// A sweep's folder or index; measurements of other programs need not even be JSON.
 std::optional<std::filesystem::path> sweep_index(const std::filesystem::path& document) {
-  if (std::filesystem::is_directory(document)) return document / "index.json";
-  return document.filename() == "index.json" ? std::optional(document) : std::nullopt;
+  if (std::filesystem::is_directory(document)) return document / reports::sweep_index_name;
+  try {
+    if (reports::format_of(document) == reports::sweep_format) return document;
+  } catch (const InputError&) {
+  }
+  return std::nullopt;
 }
 
 reports::Comparison compared(const Options& options) {

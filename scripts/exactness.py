@@ -38,6 +38,11 @@ METRICS = [
     ("global_store_requests", "l1tex__t_requests_pipe_lsu_mem_global_op_st.sum", "store req."),
     ("global_store_sectors", "l1tex__t_sectors_pipe_lsu_mem_global_op_st.sum", "store sect."),
 ]
+# The columns of ncu's table of machine instructions that add up to a launch's.
+SOURCE_VIEW = [
+    ("warp_instructions", "Instructions Executed", "warp, by table"),
+    ("thread_instructions", "Thread Instructions Executed", "thread, by table"),
+]
 INSTRUCTION_BOUND = 0.5  # percent, of warp and thread instructions and of efficiency
 
 
@@ -52,6 +57,15 @@ def counted_by_gpu(file):
         heading, _, launch = list(csv.reader(line for line in lines if line.startswith('"')))
     values = dict(zip(heading, launch))
     return {key: float(values[name].replace(",", "")) for key, name, _ in METRICS if name in values}
+
+
+def summed_by_table(file):
+    """Key -> number, of ncu's page of machine instructions."""
+    with open(file, newline="", encoding="utf-8") as lines:
+        rows = list(csv.reader(lines))
+    at = next(k for k, row in enumerate(rows) if "Source" in row)
+    return {key: sum(int(row[rows[at].index(name)]) for row in rows[at + 1:] if len(row) == len(rows[at]))
+            for key, name, _ in SOURCE_VIEW}
 
 
 def replayed(warpgrain, launch, arch, folder):
@@ -71,16 +85,17 @@ def replayed(warpgrain, launch, arch, folder):
 class Row:
     """A launch, counted twice."""
 
-    def __init__(self, name, gpu, ours, why):
-        self.name, self.gpu, self.ours, self.why = name, gpu, ours, why
+    def __init__(self, name, gpu, table, ours, why):
+        self.name, self.gpu, self.table, self.ours, self.why = name, gpu, table, ours, why
 
-    def difference(self, key):
+    def difference(self, key, gpu=None):
         """In percent of the GPU's; None where one of both has not counted it."""
-        if key not in self.gpu or key not in self.ours:
+        gpu = self.gpu if gpu is None else gpu
+        if key not in gpu or key not in self.ours:
             return None
-        if self.gpu[key] == self.ours[key]:
+        if gpu[key] == self.ours[key]:
             return 0.0
-        return 100 * (self.ours[key] / self.gpu[key] - 1) if self.gpu[key] else float("inf")
+        return 100 * (self.ours[key] / gpu[key] - 1) if gpu[key] else float("inf")
 
     def efficiency_difference(self):
         warps, threads = self.difference("warp_instructions"), self.difference("thread_instructions")
@@ -123,15 +138,21 @@ def document(rows, machine, archive):
             lines.append(f"* {heading}: exact in {exact} of {len(counted)}.")
     headings = [heading for _, _, heading in METRICS]
     headings.insert(2, "efficiency")
+    for key, _, heading in SOURCE_VIEW:
+        exact = sum(row.difference(key, row.table) == 0 for row in rows)
+        lines.append(f"* {heading} of machine instructions: exact in {exact} of {len(rows)}.")
+    headings += [heading for _, _, heading in SOURCE_VIEW]
     lines += ["", "| launch | " + " | ".join(headings) + " |", "|---|" + "---:|" * len(headings)]
     for row in rows:
         cells = [cell(row.difference(key)) for key, _, _ in METRICS]
         cells.insert(2, cell(row.efficiency_difference()))
+        cells += [cell(row.difference(key, row.table)) for key, _, _ in SOURCE_VIEW]
         lines.append(f"| {row.name}{'' if not row.why else ' (1)' } | " + " | ".join(cells) + " |")
     by_ptx = [row for row in rows if row.why]
     if by_ptx:
         lines += ["", "(1) Not replayed; these counts are of the PTX:", ""]
         lines += [f"* {row.name}: {row.why}" for row in by_ptx]
+    lines += ["", (ROOT / "tests/exactness/reasons.md").read_text(encoding="utf-8").rstrip()]
     return "\n".join(lines) + "\n"
 
 
@@ -149,7 +170,8 @@ def measured_rows(arguments, folder):
         times = json.loads((folder / "times" / f"{name}.json").read_text(encoding="utf-8"))
         with tempfile.TemporaryDirectory() as own:
             ours, why = replayed(arguments.warpgrain, launch, times["device"]["architecture"], pathlib.Path(own))
-        return Row(name, counted_by_gpu(folder / "counters" / f"{name}.csv"), ours, why)
+        return Row(name, counted_by_gpu(folder / "counters" / f"{name}.csv"),
+                   summed_by_table(folder / "instructions" / f"{name}.csv"), ours, why)
 
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
         rows = list(pool.map(row, chosen))

@@ -107,9 +107,10 @@ std::optional<RaceFound> AccessHistory::write(std::uint64_t offset, std::uint32_
   for (std::uint64_t piece = offset >> shift_; piece <= (offset + bytes - 1) >> shift_; ++piece) {
     Cell cell = mine;
     if (visit.ordered) {
-      // A plain write stays one when its work-item goes on with atomics.
+      // A plain write stays one when its work-item goes on with atomics, until it has met others.
       const Cell before = load(writes_[piece]);
-      if (item_of(before) != visit.item || (before & ordered) != 0) cell |= ordered;
+      if (item_of(before) != visit.item || (before & ordered) != 0 || came_before(before, visit))
+        cell |= ordered;
     }
     const Cell last = exchange(writes_[piece], cell);
     if (last != 0 && !found) {

@@ -95,6 +95,23 @@ TEST(AccessHistory, LocalMemory) {
               IsEmpty());
 }
 
+// Who has set a place to zero may count there with the others after the barrier, in every work-group.
+TEST(AccessHistory, AtomicsAfterAPlainWriteAndABarrierAreNoRace) {
+  std::vector<int> data(256, 3);
+  EXPECT_THAT(findings(run_checked(R"(
+kernel void k(global int* a) {
+  local int own[64];
+  const int l = get_local_id(0);
+  if (l < 64) own[l] = 0;
+  barrier(CLK_LOCAL_MEM_FENCE);
+  for (int trip = 0; trip < 3; ++trip) atomic_inc(own + (l * 7 + trip) % 64);
+  barrier(CLK_LOCAL_MEM_FENCE);
+  if (l < 64) atomic_add(a + l, own[l]);
+})",
+                                   line_of(512, 128), {buffer_of(data)})),
+              IsEmpty());
+}
+
 TEST(AccessHistory, AtomicsDoNotRaceWithEachOther) {
   EXPECT_THAT(races(R"(kernel void k(global int* a, global int* b) {
   atomic_add(a + get_global_id(0) % 4, 1);
