@@ -31,16 +31,24 @@ class Replayer final : public WarpReplayer {
   void replay(std::span<const LaneTrace> lanes) override {
     alive_ = 0;
     choices_.clear();
-    std::array<std::size_t, replayed_warp_width> begins{};
+    std::array<std::size_t, replayed_warp_width> begins{}, ends{};
+    const std::uint64_t out_of_step = counters_.out_of_step;
     for (std::uint32_t lane = 0; lane < lanes.size(); ++lane) {
       if (lanes[lane].blocks == nullptr) continue;
       alive_ |= Mask{1} << lane;
       begins[lane] = choices_.size();
       walker_.walk(lanes[lane].blocks, choices_);
+      ends[lane] = choices_.size();
     }
     if (alive_ == 0) return;
     ++counters_.warps;
-    for_lanes(alive_, [&](std::uint32_t lane) { next_choice_[lane] = choices_.data() + begins[lane]; });
+    // What has no end for one of its lanes has none for the warp.
+    if (counters_.out_of_step != out_of_step) return;
+    for_lanes(alive_, [&](std::uint32_t lane) {
+      next_choice_[lane] = choices_.data() + begins[lane];
+      last_choice_[lane] = choices_.data() + ends[lane];
+    });
+    lost_ = false;
     for (auto& of_barrier : expected_) of_barrier.fill(0);
     frames_.clear();
     ready_.push_back({alive_, 0, no_frame, partings_.root(counters_.never_used(), ~alive_)});
@@ -51,6 +59,7 @@ class Replayer final : public WarpReplayer {
         ready_.pop_back();
         run(group);
       }
+      if (lost_) give_up();
     }
   }
 
@@ -66,10 +75,29 @@ class Replayer final : public WarpReplayer {
     std::uint32_t returns_to, caller;
   };
 
+  // The lane's next choice. A lane without one has lost its way: the warp is not followed any further.
+  std::uint16_t choose(std::uint32_t lane) {
+    if (next_choice_[lane] != last_choice_[lane]) return *next_choice_[lane]++;
+    if (!lost_) ++counters_.out_of_step;
+    lost_ = true;
+    return 0;
+  }
+
+  void give_up() {
+    for (const std::vector<Group>* groups : {&ready_, &waiting_})
+      for (const Group& group : *groups) partings_.release(group.node);
+    ready_.clear();
+    waiting_.clear();
+  }
+
   // Runs a group until it waits, parts or ends.
   void run(Group group) {
     const auto n_lanes = static_cast<std::uint32_t>(std::popcount(group.lanes));
     for (;;) {
+      if (lost_) {
+        partings_.release(group.node);
+        return;
+      }
       if (group.block == no_code) {
         end(group);
         return;
@@ -247,7 +275,7 @@ class Replayer final : public WarpReplayer {
         return 0;
       default: {
         Mask taken = 0;
-        for_lanes(lanes, [&](std::uint32_t lane) { taken |= Mask{*next_choice_[lane]++} << lane; });
+        for_lanes(lanes, [&](std::uint32_t lane) { taken |= Mask{choose(lane)} << lane; });
         return taken;
       }
     }
@@ -310,7 +338,7 @@ class Replayer final : public WarpReplayer {
     const Node& node = plan_.nodes[plan_.node_of[group.block]];
     const std::vector<std::uint32_t>& table = code_.blocks[group.block].table;
     std::array<std::uint16_t, replayed_warp_width> chosen{};
-    for_lanes(group.lanes, [&](std::uint32_t lane) { chosen[lane] = *next_choice_[lane]++; });
+    for_lanes(group.lanes, [&](std::uint32_t lane) { chosen[lane] = choose(lane); });
     const auto first = static_cast<std::size_t>(std::countr_zero(group.lanes));
     const auto that_go = [&](Mask lanes, std::uint16_t entry) {
       Mask same = 0;
@@ -345,7 +373,8 @@ class Replayer final : public WarpReplayer {
   LaneWalker walker_;
   Partings partings_;
   Choices choices_;  // of the warp's lanes, one after another
-  std::array<const std::uint16_t*, replayed_warp_width> next_choice_{};
+  std::array<const std::uint16_t*, replayed_warp_width> next_choice_{}, last_choice_{};
+  bool lost_ = false;  // the replay and the lanes' traces have parted
   Mask alive_ = 0;
   std::uint64_t n_partings_ = 0;
   bool left_ = false;                   // lanes have just left a barrier's mask

@@ -20,7 +20,8 @@ TEST(EveryKernel, CompilesAlone) {
     for (const char* bits : {"32", "64"}) {
       // A law's caller and a caller's law are in other files, hence the two warnings left out.
       const std::string command =
-          "clang-15 -x cl -cl-std=CL1.2 -target nvptx64 -fsyntax-only -Wall -Wextra -Werror "
+          "clang-15 -x cl -cl-std=CL1.2 -target nvptx64 -Xclang -cl-ext=+cl_khr_int64_base_atomics "
+          "-fsyntax-only -Wall -Wextra -Werror "
           "-Wno-unused-function -Wno-undefined-internal -Wno-unused-parameter -I " +
           folder + " -D REAL_BITS=" + bits + " " + folder + std::string(kernel.path);
       EXPECT_EQ(std::system(command.c_str()), 0) << command;
