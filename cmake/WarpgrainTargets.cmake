@@ -92,7 +92,7 @@ function(warpgrain_test folder)
   target_link_libraries(${program} PRIVATE warpgrain_options GTest::gtest_main GTest::gmock ${ARG_LINK})
   warpgrain_unity(${program} "${ARG_UNITY}")
   # Tests spend their time in the libraries, builds theirs in the tests.
-  target_compile_options(${program} PRIVATE $<$<CONFIG:Release>:-O1>)
+  target_compile_options(${program} PRIVATE $<$<CONFIG:Release>:-O0>)
   # Only files that name a path get it: the others are the same in every checkout, which is what ccache asks for.
   foreach(source IN LISTS sources)
     file(STRINGS "${source}" uses_paths REGEX "WARPGRAIN_(SOURCE|TEST_DATA)_DIR" LIMIT_COUNT 1)
