@@ -5,7 +5,8 @@
 #   scripts/demo.sh                      2^14 particles, a few minutes
 #   scripts/demo.sh --particles 131072   the paper's size
 #
-# Other options go to `warpgrain sweep` as they are; later ones win. More variants: `--axis search=all`.
+# Counts are those of the PTX, so that they are the same on every machine (`--weights auto` takes the machine code of ptxas
+# where it is installed). Other options go to `warpgrain sweep` as they are; later ones win. More variants: `--axis search=all`.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -13,4 +14,4 @@ scripts/install_dependencies.sh
 cmake --preset release
 cmake --build --preset release --parallel "$(nproc)" --target warpgrain
 exec build/release/cli/warpgrain sweep --scene slit --particles 16384 --at-step 6000 --axis contact=simple,branchy \
-  --axis order=unsorted,cell --axis precision=fp32,fp64 --out out/demo "$@"
+  --axis order=unsorted,cell --axis precision=fp32,fp64 --weights ptx --out out/demo "$@"
