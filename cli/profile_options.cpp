@@ -7,6 +7,7 @@
 
 #include "cli/what_if_options.hpp"
 #include "core/error.hpp"
+#include "profiler/sass/machine_kernel.hpp"
 
 namespace warpgrain::cli {
 
@@ -42,6 +43,7 @@ std::optional<Machine> SimulatorOptions::load_machine() const {
 profiler::ProfileOptions SimulatorOptions::profile_options(const DeviceOptions& device,
                                                            Progress& progress) const {
   profiler::ProfileOptions options;
+  profiler::sass::architecture_number(arch);  // refuses what is none, whether or not there is a ptxas
   options.weights = {weights_from_name(weights), arch};
   options.policy = profiler::merge_policy_from_name(policy, "--policy");
   if (width)

@@ -145,6 +145,8 @@ TEST_F(BadInput, LaunchFiles) {
   refused("none.cl\nadd\n32 1 1\n32 1 1\n<size=128 fill=0>\n", {"none.cl"});
   refused("k.cl\nadd\n32 1 1\n32 1 1\n", {"l.sim", "argument"});
   refused("k.cl\nadd\n32 1\n", {"l.sim"});
+  EXPECT_EQ(call({"profile", path("missing.sim"), "--arch", "sm_10"}), 2);
+  EXPECT_THAT(err_, HasSubstr("sm_75 to sm_90"));
   EXPECT_EQ(call({"profile", path("missing.sim")}), 2);
   EXPECT_THAT(err_, HasSubstr("missing.sim"));
 }
