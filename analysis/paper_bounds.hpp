@@ -21,6 +21,7 @@ inline constexpr std::uint32_t warp_width = 32, sfu_lanes = 4;
 inline constexpr double most_contacts = 12;
 // The candidates of a particle as the paper prints them.
 inline constexpr double printed_candidates = 47;
+inline constexpr double printed_peak_ratio = 44;
 inline constexpr double printed_contact_share = 0.25;
 inline constexpr double printed_sfu_calls = 2;  // a contact
 

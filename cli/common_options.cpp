@@ -1,5 +1,7 @@
 #include "cli/common_options.hpp"
 
+#include <charconv>
+#include <cmath>
 #include <fmt/format.h>
 
 #include "cli/help_text.hpp"
@@ -14,11 +16,26 @@ CLI::Option* add_flag(CLI::App& command, const std::string& name, bool& value) {
   return command.add_flag(name, value, option_text(command, name));
 }
 
+std::string whole_number(const std::string& text) {
+  std::uint64_t number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  if (!text.empty() && error == std::errc{} && stop == end) return {};
+  return fmt::format("'{}'; expected a whole number from 0 on", text);
+}
+
+std::string finite_number(const std::string& text) {
+  double number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  if (!text.empty() && error == std::errc{} && stop == end && std::isfinite(number)) return {};
+  return fmt::format("'{}'; expected a finite number", text);
+}
+
 namespace {
 
 std::string above_zero(const std::string& text) {
-  const bool whole = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-  if (whole && text.find_first_not_of('0') != std::string::npos) return {};
+  if (whole_number(text).empty() && text.find_first_not_of('0') != std::string::npos) return {};
   return fmt::format("'{}'; expected a whole number above 0", text);
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 #include "core/scene.hpp"
 #include "variants/axes.hpp"
@@ -17,9 +18,29 @@ namespace warpgrain::cli {
 // What docs/cli.md says of the option under the subcommand, or under "common".
 std::string option_text(const CLI::App& command, const std::string& name);
 
+// Checks of an option's text, as the library takes them: empty where nothing is wrong.
+std::string whole_number(const std::string& text);  // from 0 on, of 64 bits
+std::string finite_number(const std::string& text);
+
+template <class T>
+struct OptionValue {
+  using Type = T;
+};
+template <class T>
+struct OptionValue<std::optional<T>> {
+  using Type = T;
+};
+
+// The library would take -1 for the largest number, and NaN for one.
 template <class T>
 CLI::Option* add_option(CLI::App& command, const std::string& name, T& value) {
-  return command.add_option(name, value, option_text(command, name));
+  using Value = typename OptionValue<T>::Type;
+  CLI::Option* option = command.add_option(name, value, option_text(command, name));
+  if constexpr (std::is_floating_point_v<Value>)
+    option->check(finite_number, "");
+  else if constexpr (std::is_unsigned_v<Value>)
+    option->check(whole_number, "");
+  return option;
 }
 CLI::Option* add_flag(CLI::App& command, const std::string& name, bool& value);
 

@@ -87,7 +87,7 @@ bool JsonReader::has(std::string_view key) const { return value_->contains(key);
 
 JsonReader JsonReader::at(std::string_view key) const {
   if (auto found = maybe(key)) return *found;
-  fail(fmt::format("'{}' is missing", key), "it");
+  fail(fmt::format("'{}' is missing", key), "an object that has it");
 }
 
 std::optional<JsonReader> JsonReader::maybe(std::string_view key) const {

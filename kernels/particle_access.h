@@ -30,4 +30,12 @@ DEVICE_FUNCTION ForceSum gravity_alone(const StepParameters p, const Particle* p
   return sum;
 }
 
+// What the kernels that follow begin with: the walls go on from it.
+DEVICE_FUNCTION void store_sum(uint index, const ForceSum* sum, uint n_contacts, GLOBAL real4* force,
+                               GLOBAL real4* torque, GLOBAL uint2* contact_counts) {
+  force[index] = make_real4(sum->force, REAL(0.0));
+  torque[index] = make_real4(sum->torque, REAL(0.0));
+  contact_counts[index] = make_uint2(n_contacts, 0);
+}
+
 #endif

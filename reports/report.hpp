@@ -38,9 +38,10 @@ struct Report {
   std::optional<std::string> scene;    // name; none for a launch file
   std::optional<std::string> variant;  // branchy/cells/cell/fp32/default
   std::optional<std::uint64_t> particles;
-  std::optional<std::uint64_t> step;   // the time step that was profiled, 0 = the first
-  std::optional<Machine> machine;      // where one was asked for
-  // What an instruction is: "ptx" as compiled, "sass" as ptxas made it, "mixed" where it depends on the launch.
+  std::optional<std::uint64_t> step;  // the time step that was profiled, 0 = the first
+  std::optional<Machine> machine;     // where one was asked for
+  // What an instruction is: "ptx" as compiled, "sass" as ptxas made it, "mixed" where it depends on the
+  // launch.
   std::string weights = "ptx";
   std::vector<std::string> limits;     // what the counts do not say, in sentences
   std::vector<LaunchReport> launches;  // in the order of launching

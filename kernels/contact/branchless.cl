@@ -33,11 +33,7 @@ DEVICE_FUNCTION void apply_contact(const LawParameters* law, const Particle* par
   const real3 spring_force = -tangential_stiffness * held_displacement;
   const real3 damping_force = -damping_coefficient * motion.tangential_velocity;
   const real3 held_force = spring_force + damping_force;  // eq. (4)
-#if SLIP_HISTORY == SLIP_HISTORY_LIGGGHTS
-  const real3 tested_force = spring_force;
-#else
-  const real3 tested_force = held_force;
-#endif
+  const real3 tested_force = tested_by_friction(spring_force, held_force);
   const real tested_square = dot(tested_force, tested_force);
   const bool slips = tested_square > friction_limit * friction_limit;
   // Of a contact that holds, whatever finite number.
@@ -47,13 +43,8 @@ DEVICE_FUNCTION void apply_contact(const LawParameters* law, const Particle* par
 #if SLIP_HISTORY == SLIP_HISTORY_PAPER
   const real3 tangential_displacement = held_displacement;
 #else
-#if SLIP_HISTORY == SLIP_HISTORY_LAMMPS
-  const real3 held_by_spring = cut_force - damping_force;
-#else
-  const real3 held_by_spring = cut_force;
-#endif
   const real3 cut_displacement =
-      -held_by_spring * quotient(REAL(1.0), fmax(tangential_stiffness, SMALL_REAL));
+      -held_by_spring(cut_force, damping_force) * quotient(REAL(1.0), fmax(tangential_stiffness, SMALL_REAL));
   const real3 tangential_displacement =
       selected(slips & (tangential_stiffness > REAL(0.0)), cut_displacement, held_displacement);
 #endif

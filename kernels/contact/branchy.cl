@@ -32,22 +32,13 @@ DEVICE_FUNCTION void apply_contact(const LawParameters* law, const Particle* par
   const real3 spring_force = -tangential_stiffness * tangential_displacement;
   const real3 damping_force = -damping_coefficient * motion.tangential_velocity;
   real3 tangential_force = spring_force + damping_force;  // eq. (4)
-#if SLIP_HISTORY == SLIP_HISTORY_LIGGGHTS
-  const real3 tested_force = spring_force;
-#else
-  const real3 tested_force = tangential_force;
-#endif
+  const real3 tested_force = tested_by_friction(spring_force, tangential_force);
   const real tested_square = dot(tested_force, tested_force);
   if (tested_square > friction_limit * friction_limit) {                                     // branch: slip
     tangential_force = tested_force * quotient(friction_limit, square_root(tested_square));  // eq. (5)
-#if SLIP_HISTORY == SLIP_HISTORY_LAMMPS
-    const real3 held_by_spring = tangential_force - damping_force;
-#else
-    const real3 held_by_spring = tangential_force;
-#endif
 #if SLIP_HISTORY != SLIP_HISTORY_PAPER
     if (tangential_stiffness > REAL(0.0)) {  // branch: tangential spring
-      tangential_displacement = -quotient_of_vector(held_by_spring, tangential_stiffness);
+      tangential_displacement = -quotient_of_vector(held_by_spring(tangential_force, damping_force), tangential_stiffness);
     }
 #endif
   }

@@ -34,6 +34,24 @@ DEVICE_FUNCTION real3 continued_displacement(real3 old_displacement, real3 n, co
   return old_displacement - dot(old_displacement, n) * n + motion->tangential_velocity * time_step;
 }
 
+// What eq. (5) compares with its limit: the whole tangential force, or the spring's part of it.
+DEVICE_FUNCTION real3 tested_by_friction(real3 spring_force, real3 tangential_force) {
+#if SLIP_HISTORY == SLIP_HISTORY_LIGGGHTS
+  return spring_force;
+#else
+  return tangential_force;
+#endif
+}
+
+// Of the force that friction has cut, what the spring holds from then on.
+DEVICE_FUNCTION real3 held_by_spring(real3 cut_force, real3 damping_force) {
+#if SLIP_HISTORY == SLIP_HISTORY_LAMMPS
+  return cut_force - damping_force;
+#else
+  return cut_force;
+#endif
+}
+
 // eqs. (2) and (3). `normal_force` is along -n: positive pushes the particle away from its partner.
 DEVICE_FUNCTION void add_contact(ForceSum* sum, const Particle* particle, real3 n, real normal_force,
                                  real3 tangential_force) {

@@ -82,7 +82,5 @@ KERNEL WORK_GROUP_OF(PARTICLE_WORK_GROUP) void force_between_particles(
   }
 
   if (!exists) return;  // branch: beyond the last particle
-  force[self] = make_real4(sum.force, REAL(0.0));
-  torque[self] = make_real4(sum.torque, REAL(0.0));
-  contact_counts[self] = make_uint2(n_contacts, 0);
+  store_sum(self, &sum, n_contacts, force, torque, contact_counts);
 }

@@ -75,7 +75,5 @@ KERNEL void force_between_particles(const StepParameters p, GLOBAL const uint* n
     }
   }
 
-  force[self] = make_real4(sum.force, REAL(0.0));
-  torque[self] = make_real4(sum.torque, REAL(0.0));
-  contact_counts[self] = make_uint2(n_contacts, 0);
+  store_sum(self, &sum, n_contacts, force, torque, contact_counts);
 }

@@ -6,6 +6,7 @@
 #include <unordered_set>
 
 #include "profiler/control_flow.hpp"
+#include "profiler/sass/reached_blocks.hpp"
 
 namespace warpgrain::profiler::sass {
 namespace {
@@ -141,19 +142,13 @@ class Linker {
   LineSet lines_from(std::uint32_t from, std::uint32_t but, bool stops_at_guards) const {
     const KernelGraph& graph = decisions_.graph();
     LineSet lines;
-    std::vector<bool> seen(graph.blocks.size(), false);
-    std::vector<std::uint32_t> open{from};
-    while (!open.empty()) {
-      const std::uint32_t b = open.back();
-      open.pop_back();
-      if (seen[b]) continue;
-      seen[b] = true;
+    for_each_reached(graph.blocks.size(), from, [&](std::uint32_t b, auto&& go_on) {
       for (const profiler::Instruction& i : graph.blocks[b].instructions) lines.insert(i.ptx_line);
       const std::uint32_t decision = decisions_.at_end_of(b);
-      if (decision == but) continue;
-      if (stops_at_guards && decision != no_decision && guarded_.contains(decision)) continue;
-      for (const std::uint32_t to : graph.blocks[b].successors) open.push_back(to);
-    }
+      if (decision == but) return;
+      if (stops_at_guards && decision != no_decision && guarded_.contains(decision)) return;
+      for (const std::uint32_t to : graph.blocks[b].successors) go_on(to);
+    });
     return lines;
   }
 
@@ -205,20 +200,14 @@ class Linker {
 
   LineCounts lines_reached(std::uint32_t from, std::uint32_t but) const {
     LineCounts lines;
-    std::vector<bool> seen(code_.blocks.size(), false);
-    std::vector<std::uint32_t> open{from};
-    while (!open.empty()) {
-      const std::uint32_t b = open.back();
-      open.pop_back();
-      if (b == no_code || seen[b]) continue;
-      seen[b] = true;
+    for_each_reached(code_.blocks.size(), from, [&](std::uint32_t b, auto&& go_on) {
       const CodeBlock& block = code_.blocks[b];
       for (std::uint32_t k = block.first; k < block.last; ++k)
         if (is_plain(code_.instructions[k])) lines[code_.instructions[k].line] = 1;
-      if (b == but) continue;
-      if (block.end != End::exit && block.end != End::ret) open.push_back(block.next);
-      if (block.end == End::guard && block.guarded == Flow::branch) open.push_back(block.target);
-    }
+      if (b == but) return;
+      if (block.end != End::exit && block.end != End::ret) go_on(block.next);
+      if (block.end == End::guard && block.guarded == Flow::branch) go_on(block.target);
+    });
     return lines;
   }
 

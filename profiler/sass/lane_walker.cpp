@@ -1,6 +1,7 @@
 #include "profiler/sass/lane_walker.hpp"
 
 #include "profiler/control_flow.hpp"
+#include "profiler/sass/reached_blocks.hpp"
 
 namespace warpgrain::profiler::sass {
 
@@ -33,19 +34,14 @@ LaneWalker::LaneWalker(const ReplayPlan& plan, const PtxDecisions& decisions, Re
 void LaneWalker::note_folded(const PtxDecisions& decisions) {
   const KernelGraph& graph = decisions.graph();
   const auto reaches = [&](std::uint32_t from, std::uint32_t decision) {
-    std::vector<bool> seen(graph.blocks.size(), false);
-    std::vector<std::uint32_t> open{from};
-    while (!open.empty()) {
-      const std::uint32_t b = open.back();
-      open.pop_back();
-      if (seen[b]) continue;
-      seen[b] = true;
+    bool found = false;
+    for_each_reached(graph.blocks.size(), from, [&](std::uint32_t b, auto&& go_on) {
       const std::uint32_t here = decisions.at_end_of(b);
-      if (here == decision) return true;
-      if (here == no_decision || !has_guard_[here])
-        open.insert(open.end(), graph.blocks[b].successors.begin(), graph.blocks[b].successors.end());
-    }
-    return false;
+      found |= here == decision;
+      if (here == decision || (here != no_decision && has_guard_[here])) return;
+      for (const std::uint32_t to : graph.blocks[b].successors) go_on(to);
+    });
+    return found;
   };
   folded_.resize(decisions.count());
   for (const Node& node : plan_.nodes) {

@@ -126,6 +126,23 @@ TEST_F(BadInput, KernelFileThatDoesNotCompile) {
   }
 }
 
+TEST_F(BadInput, NumbersThatAreNone) {
+  for (const std::vector<std::string>& wrong :
+       {std::vector<std::string>{"run", "--scene", "head_on", "--steps", "-1"},
+        {"run", "--scene", "head_on", "--steps", "nan"},
+        {"run", "--scene", "head_on", "--sample-every", "1.5"},
+        {"profile", "--scene", "head_on", "--at-step", "-3"},
+        {"compare", "a.json", "b.json", "--fail-above", "nan"},
+        {"measure", "k.sim", "--tolerance", "inf"},
+        {"paper", "--samples", "-1"}}) {
+    EXPECT_EQ(call(wrong), 2);
+    EXPECT_EQ(error_lines(), 1u) << err_;
+    EXPECT_THAT(err_, testing::AnyOf(HasSubstr("expected a whole number from 0 on"),
+                                     HasSubstr("expected a finite number")));
+    EXPECT_THAT(err_, HasSubstr("'" + wrong.back() + "'"));
+  }
+}
+
 TEST_F(BadInput, KernelFolderThatIsNotThere) {
   EXPECT_EQ(call({"run", "--scene", "head_on", "--kernels", path("none")}), 2);
   EXPECT_EQ(error_lines(), 1u) << err_;
