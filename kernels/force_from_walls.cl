@@ -5,18 +5,10 @@
 #include "contact/contact_law.h"
 #include "particle_access.h"
 #include "prelude.h"
+#include "wall.h"
 
-// From the particle to the nearest point of the wall.
-DEVICE_FUNCTION real3 separation_from_rectangle(CONSTANT const WallLayout* wall, real3 position) {
-  const real3 offset = position - vector_of(wall->point);
-  const real u = clamp(dot(offset, vector_of(wall->fraction_u)), REAL(0.0), REAL(1.0));
-  const real v = clamp(dot(offset, vector_of(wall->fraction_v)), REAL(0.0), REAL(1.0));
-  const real3 nearest = u * vector_of(wall->edge_u) + v * vector_of(wall->edge_v);
-  return nearest - offset;
-}
-
-KERNEL void force_from_walls(const StepParameters p, CONSTANT const WallLayout* walls,
-                             GLOBAL const real4* position_radius, GLOBAL const real4* velocity_mass,
+KERNEL void force_from_walls(const StepParameters p, CONSTANT const Wall* walls,
+                             GLOBAL const Place* position_radius, GLOBAL const real4* velocity_mass,
                              GLOBAL const real4* angular_velocity, GLOBAL const uint2* rank_material,
                              CONSTANT const real4* contact_parameters, GLOBAL real4* force,
                              GLOBAL real4* torque, GLOBAL uint2* contact_counts,
@@ -34,24 +26,16 @@ KERNEL void force_from_walls(const StepParameters p, CONSTANT const WallLayout* 
   uint n_contacts = 0;
 
   for (uint index = 0; index < p.n_walls; ++index) {  // branch: next wall
-    CONSTANT const WallLayout* wall = &walls[index];
-    const real3 normal = vector_of(wall->normal);
-    Contact contact;
-    if (wall->is_rectangle) {  // branch: rectangle
-      const real3 separation = separation_from_rectangle(wall, particle.position);
-      const real square = dot(separation, separation);
-      if (square >= particle.radius * particle.radius) continue;  // branch: rectangle contact test
-      const real distance = square_root(square);
-      contact.contact_normal = distance > REAL(0.0) ? quotient_of_vector(separation, distance) : -normal;
-      contact.overlap = particle.radius - distance;
+    CONSTANT const Wall* wall = &walls[index];
+    Touch touch;
+    if (wall->is_rectangle) {                                        // branch: rectangle
+      if (!touch_rectangle(wall, particle.place, &touch)) continue;  // branch: rectangle contact test
     } else {
-      // Near a wall both differences are exact, so that the rest of its place is added to what they leave.
-      const real distance = dot(particle.position - vector_of(wall->point), normal);
-      const real overlap = (particle.radius - distance) + wall->point_rest;
-      if (overlap <= REAL(0.0)) continue;  // branch: plane contact test
-      contact.contact_normal = -normal;
-      contact.overlap = overlap;
+      if (!touch_plane(wall, particle.place, &touch)) continue;  // branch: plane contact test
     }
+    Contact contact;
+    contact.contact_normal = touch.contact_normal;
+    contact.overlap = touch.overlap;
     contact.velocity = make_real3(REAL(0.0), REAL(0.0), REAL(0.0));
     contact.surface_rotation = make_real3(REAL(0.0), REAL(0.0), REAL(0.0));
     contact.inverse_radius = REAL(0.0);

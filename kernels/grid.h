@@ -3,6 +3,7 @@
 #ifndef WARPGRAIN_GRID_H
 #define WARPGRAIN_GRID_H
 
+#include "place.h"
 #include "prelude.h"
 #include "status.h"
 
@@ -15,11 +16,11 @@ DEVICE_FUNCTION int cell_along(real offset, real inverse_cell_size, uint n) {
 }
 
 // The cell of a place inside the domain.
-DEVICE_FUNCTION Cell cell_at(const StepParameters p, real4 place) {
+DEVICE_FUNCTION Cell cell_at(const StepParameters p, Place place) {
   Cell cell;
-  cell.x = cell_along(place.x - p.lower.x, p.inverse_cell_size, p.cells_x);
-  cell.y = cell_along(place.y - p.lower.y, p.inverse_cell_size, p.cells_y);
-  cell.z = cell_along(place.z - p.lower.z, p.inverse_cell_size, p.cells_z);
+  cell.x = cell_along(length_between(p.lower.x, place.x), p.inverse_cell_size, p.cells_x);
+  cell.y = cell_along(length_between(p.lower.y, place.y), p.inverse_cell_size, p.cells_y);
+  cell.z = cell_along(length_between(p.lower.z, place.z), p.inverse_cell_size, p.cells_z);
   return cell;
 }
 
@@ -58,12 +59,11 @@ DEVICE_FUNCTION uint particle_at(uint place, GLOBAL const ulong* cell_keys) {
 
 // Reports a particle that has left the domain or the numbers; false for one that has. Written so that a NaN
 // fails it.
-DEVICE_FUNCTION bool is_inside(const StepParameters p, real4 place, uint rank, GLOBAL uint* status) {
+DEVICE_FUNCTION bool is_inside(const StepParameters p, Place place, uint rank, GLOBAL uint* status) {
   const bool inside = place.x >= p.lower.x && place.x <= p.upper.x && place.y >= p.lower.y &&
                       place.y <= p.upper.y && place.z >= p.lower.z && place.z <= p.upper.z;
   if (!inside) {  // branch: outside the domain
-    report_error(status, is_finite(place.x + place.y + place.z) ? STATUS_OUT_OF_DOMAIN : STATUS_NOT_FINITE,
-                 rank);
+    report_error(status, is_a_place(place) ? STATUS_OUT_OF_DOMAIN : STATUS_NOT_FINITE, rank);
   }
   return inside;
 }

@@ -2,7 +2,7 @@
 // (templates over `real`). No 3-vectors in arrays: they take 12 bytes in CUDA and 16 in OpenCL.
 //
 // Arrays. `particle` is the place of a particle in them, its `rank` its place in the scene; n = n_particles.
-//   position_radius       real4 [n]    x, y, z, radius
+//   position_radius       Place [n]    x, y, z, radius: place.h
 //   velocity_mass         real4 [n]    vx, vy, vz, mass
 //   angular_velocity      real4 [n]    wx, wy, wz, unused
 //   rank_material         uint2 [n]    rank, index of the material
@@ -16,11 +16,11 @@
 //   scan_sums             uint [n_cells / SCAN_BLOCK, rounded up]  particles in the blocks of cells before
 //   near                  uint [LIST_SLOTS * n]   a search's lists: entry k of particle i at k * n + i
 //   near_counts           uint [n]         how many entries
-//   listed_positions      real4 [n]        where particles were when lists with a skin were made
+//   listed_positions      Place [n]        where particles were when lists with a skin were made
 //   lists_outdated        uint [1]         whether such lists may miss a contact
 //   fixed_sums            long [6 * n]     force and torque in quanta, where they are added up by atomics
 //   contact_parameters    real4 [n_materials * n_materials]   C_kn, C_kt, alpha, mu
-//   walls                 WallLayout [n_walls]
+//   walls                 WallLayout [n_walls]; FixedWallLayout where places are fixed-point
 //   status                uint [STATUS_SIZE]
 #ifndef WARPGRAIN_LAYOUT_H
 #define WARPGRAIN_LAYOUT_H
@@ -30,24 +30,37 @@
 #define LAYOUT_STRUCT(name) \
   template <class real>     \
   struct name
+#define LAYOUT_STRUCT_WITH_PLACES(name)   \
+  template <class real, class coordinate> \
+  struct name
 #define LAYOUT_TRIPLE Triple<real>
+#define LAYOUT_PLACE Triple<coordinate>
 #define LAYOUT_UINT std::uint32_t
+#define LAYOUT_LONG std::int64_t
 namespace warpgrain::layout {
 #else
 #define LAYOUT_STRUCT(name) \
   typedef struct name name; \
   struct name
+#define LAYOUT_STRUCT_WITH_PLACES(name) LAYOUT_STRUCT(name)
 #define LAYOUT_TRIPLE Triple
+#define LAYOUT_PLACE PlaceTriple
 #define LAYOUT_UINT uint
+#define LAYOUT_LONG long
 #endif
 
 LAYOUT_STRUCT(Triple) { real x, y, z; };
+#ifndef __cplusplus
+typedef struct {
+  coordinate x, y, z;
+} PlaceTriple;
+#endif
 
 // What every kernel of a step may need, passed by value.
-LAYOUT_STRUCT(StepParameters) {
+LAYOUT_STRUCT_WITH_PLACES(StepParameters) {
+  LAYOUT_PLACE lower, upper;  // of the domain, which is the grid's box
   real time_step;
   LAYOUT_TRIPLE gravity;
-  LAYOUT_TRIPLE lower, upper;  // of the domain, which is the grid's box
   real inverse_cell_size;
   real quanta_per_force, quanta_per_torque;  // of fixed_sums
   real skin;                                 // of neighbour lists
@@ -69,6 +82,16 @@ LAYOUT_STRUCT(WallLayout) {
   // Of a rectangle: each edge divided by its squared length, so that a dot product gives a fraction of it ...
   LAYOUT_TRIPLE fraction_u, fraction_v;
   LAYOUT_TRIPLE edge_u, edge_v;  // ... and the edge itself
+  LAYOUT_UINT is_rectangle;
+  LAYOUT_UINT material;
+};
+
+// The same in the fixed point of precision `mixed`: lengths in its units, unit vectors in 2^-62.
+LAYOUT_STRUCT(FixedWallLayout) {
+  LAYOUT_LONG point[3];
+  LAYOUT_LONG axes[3][3];                  // the normal; of a rectangle also the directions of its edges
+  LAYOUT_LONG length_u, length_v;          // of a rectangle's edges
+  LAYOUT_TRIPLE normal, along_u, along_v;  // the axes, rounded
   LAYOUT_UINT is_rectangle;
   LAYOUT_UINT material;
 };

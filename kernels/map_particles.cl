@@ -5,7 +5,7 @@
 #include "grid.h"
 #include "prelude.h"
 
-KERNEL void map_particles(const StepParameters p, GLOBAL const real4* position_radius,
+KERNEL void map_particles(const StepParameters p, GLOBAL const Place* position_radius,
                           GLOBAL const uint2* rank_material, GLOBAL ulong* cell_keys,
                           GLOBAL uint* particle_of_rank, GLOBAL uint* status) {
   const uint particle = work_item();
@@ -15,7 +15,7 @@ KERNEL void map_particles(const StepParameters p, GLOBAL const real4* position_r
     return;
   }
   const uint rank = rank_material[particle].x;
-  const real4 place = position_radius[particle];
+  const Place place = position_radius[particle];
 
   uint cell_of_particle = 0;
   if (is_inside(p, place, rank, status)) {  // branch: inside the domain

@@ -11,6 +11,12 @@
 
 #include "prelude.h"
 
+// How a particle touches another sphere or a wall.
+typedef struct {
+  real3 contact_normal;  // unit, from the particle to the other
+  real overlap;          // never negative
+} Touch;
+
 typedef struct {
   real value;    // rounded
   real inverse;  // 1 / value

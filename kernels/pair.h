@@ -6,6 +6,9 @@
 #include "overlap.h"
 #include "prelude.h"
 
+#ifdef FIXED_POINT
+#include "pair_fixed.h"
+#else
 // From a particle to another one, and how near they are.
 typedef struct {
   real3 separation;
@@ -14,26 +17,41 @@ typedef struct {
   real reach;   // the sum of the radii
 } Pair;
 
-DEVICE_FUNCTION Pair pair_with(const Particle* particle, real4 place_of_other) {
+DEVICE_FUNCTION Pair pair_with(Place place, Place other) {
   Pair pair;
-  pair.separation = xyz(place_of_other) - particle->position;
+  pair.separation = way_between(place, other);
   pair.square = dot(pair.separation, pair.separation);
-  pair.radius = place_of_other.w;
-  pair.reach = particle->radius + place_of_other.w;
+  pair.radius = radius_of(other);
+  pair.reach = radius_of(place) + pair.radius;
   return pair;
 }
 
-// Of a pair that touches, which is when its square is below that of its reach; `other` is the partner's place
-// in the arrays.
+// Whether the surfaces are nearer than `gap`.
+DEVICE_FUNCTION bool is_within(const Pair* pair, real gap) {
+  const real limit = pair->reach + gap;
+  return pair->square < limit * limit;
+}
+DEVICE_FUNCTION bool touches(const Pair* pair) { return pair->square < pair->reach * pair->reach; }
+
+DEVICE_FUNCTION Touch touch_of(const Pair* pair) {
+  const Distance distance = distance_of(pair->square);
+  Touch touch;
+  touch.contact_normal = pair->separation * distance.inverse;
+  touch.overlap = overlap_of_spheres(pair->separation, distance, pair->reach);
+  return touch;
+}
+#endif
+
+// Of a pair that touches; `other` is the partner's index in the arrays.
 DEVICE_FUNCTION Contact contact_of(const Particle* particle, const Pair* pair, uint other,
                                    GLOBAL const real4* velocity_mass, GLOBAL const real4* angular_velocity,
                                    GLOBAL const uint2* rank_material) {
   const real4 motion = velocity_mass[other];
   const uint2 identity = rank_material[other];
-  const Distance distance = distance_of(pair->square);
+  const Touch touch = touch_of(pair);
   Contact contact;
-  contact.contact_normal = pair->separation * distance.inverse;
-  contact.overlap = overlap_of_spheres(pair->separation, distance, pair->reach);
+  contact.contact_normal = touch.contact_normal;
+  contact.overlap = touch.overlap;
   contact.velocity = xyz(motion);
   contact.surface_rotation = pair->radius * xyz(angular_velocity[other]);
   contact.inverse_radius = quotient(REAL(1.0), pair->radius);

@@ -5,13 +5,13 @@
 #include "contact/contact_law.h"
 #include "prelude.h"
 
-DEVICE_FUNCTION Particle load_particle(uint index, GLOBAL const real4* position_radius,
+DEVICE_FUNCTION Particle load_particle(uint index, GLOBAL const Place* position_radius,
                                        GLOBAL const real4* velocity_mass,
                                        GLOBAL const real4* angular_velocity,
                                        GLOBAL const uint2* rank_material) {
   Particle particle;
-  particle.position = xyz(position_radius[index]);
-  particle.radius = position_radius[index].w;
+  particle.place = position_radius[index];
+  particle.radius = radius_of(particle.place);
   particle.velocity = xyz(velocity_mass[index]);
   particle.mass = velocity_mass[index].w;
   particle.angular_velocity = xyz(angular_velocity[index]);

@@ -20,6 +20,17 @@ typedef float4 real4;
 #define REAL(literal) literal##f
 #endif
 
+// Its other half: -D FIXED_POINT keeps places as integers (place.h).
+#ifdef FIXED_POINT
+typedef long coordinate;
+typedef long4 Place;
+#define make_place(x, y, z, radius) ((long4)(x, y, z, radius))
+#define high_product(a, b) mul_hi(a, b)
+#else
+typedef real coordinate;
+typedef real4 Place;
+#endif
+
 #define KERNEL __kernel
 #define GLOBAL __global
 #define CONSTANT __constant
@@ -41,11 +52,11 @@ typedef float4 real4;
 #define make_uint2(x, y) ((uint2)(x, y))
 #define xyz(v) ((v).xyz)
 
-// Integers of 64 bits, for searches that need them: Search::needs_long_atomics.
+#define rounded_to_long(x) convert_long_rte(x)
+// Atomics on integers of 64 bits, for searches that need them: Search::needs_long_atomics.
 #ifdef EACH_PAIR_ONCE
 #pragma OPENCL EXTENSION cl_khr_int64_base_atomics : enable
 #define atomic_add_long(sum, value) atom_add(sum, value)
-#define rounded_to_long(x) convert_long_rte(x)
 #endif
 
 // The number of the lowest bit that is set; there is one.

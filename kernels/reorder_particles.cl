@@ -13,9 +13,9 @@
 #endif
 
 KERNEL void reorder_particles(const StepParameters p, GLOBAL const ulong* cell_keys,
-                              GLOBAL const uint* particle_of_rank, GLOBAL const real4* position_radius_in,
+                              GLOBAL const uint* particle_of_rank, GLOBAL const Place* position_radius_in,
                               GLOBAL const real4* velocity_mass_in, GLOBAL const real4* angular_velocity_in,
-                              GLOBAL const uint2* rank_material_in, GLOBAL real4* position_radius,
+                              GLOBAL const uint2* rank_material_in, GLOBAL Place* position_radius,
                               GLOBAL real4* velocity_mass, GLOBAL real4* angular_velocity,
                               GLOBAL uint2* rank_material HISTORY_MOVE_PARAMETERS) {
   const uint place = work_item();

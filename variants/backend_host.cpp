@@ -42,7 +42,10 @@ std::unique_ptr<Simulation> create(const Scene& scene, const Variant& variant,
                                    const BackendOptions& options) {
   Scene modelled = scene;
   modelled.model.contact = contact_law(variant).model;
-  if (precision_of(variant).is_fp64) return std::make_unique<HostSimulation<double>>(modelled, options);
+  // The reference has two arithmetics; double stands in for places finer than float's.
+  const Precision& precision = precision_of(variant);
+  if (precision.is_fp64 || precision.has_fixed_places)
+    return std::make_unique<HostSimulation<double>>(modelled, options);
   return std::make_unique<HostSimulation<float>>(modelled, options);
 }
 

@@ -97,9 +97,12 @@ std::vector<Variant> one_value_at_a_time() {
   return variants;
 }
 
-double error_bound(const Variant& variant) { return bound_of(variant, contact_law(variant).error_bounds); }
+double error_bound(const Variant& variant) {
+  return bound_of(variant, contact_law(variant).error_bounds) * precision_of(variant).error_factor;
+}
 double error_bound_at_rest(const Variant& variant) {
-  return bound_of(variant, contact_law(variant).error_bounds_at_rest);
+  return bound_of(variant, contact_law(variant).error_bounds_at_rest) *
+         precision_of(variant).error_factor_at_rest;
 }
 
 }  // namespace warpgrain

@@ -21,7 +21,8 @@ std::vector<Variant> all_variants();
 // value, the first variant that has it and differs least from the default.
 std::vector<Variant> one_value_at_a_time();
 
-// What the variant's forces may be off: the law's bounds for its precision, times what its math mode allows.
+// What the variant's forces may be off: the law's bounds for its arithmetic, times what precision and math
+// mode allow.
 double error_bound(const Variant& variant);
 double error_bound_at_rest(const Variant& variant);
 

@@ -33,6 +33,11 @@ std::vector<std::byte> bytes_of(std::span<const T> values) {
   return {bytes.begin(), bytes.end()};
 }
 
+template <class T>
+std::vector<std::byte> bytes_of_one(const T& value) {
+  return bytes_of(std::span<const T>(&value, 1));
+}
+
 // The cells of core's grid, with two more bounds on them. A little larger than the largest diameter: a
 // particle may be rounded into the cell beside its own, and its partners must still be at most one cell away,
 // which in float needs eps * cells along an axis << the margin. And not so many that a sparse scene's step is
@@ -58,29 +63,30 @@ layout::Triple<real> triple(const Vector3d& v) {
   return {static_cast<real>(v.x()), static_cast<real>(v.y()), static_cast<real>(v.z())};
 }
 
-template <class real>
-layout::StepParameters<real> step_parameters(const Scene& scene, const DeviceScene& device,
-                                             const GridGeometry& grid) {
+// `place` makes a triple of coordinates of a place.
+template <class real, class Place>
+auto step_parameters(const Scene& scene, const DeviceScene& device, const GridGeometry& grid, Place place) {
   const SimpleParameters& simple = scene.model.simple;
-  return {.time_step = static_cast<real>(scene.time_step),
-          .gravity = triple<real>(scene.gravity),
-          .lower = triple<real>(scene.domain.lower),
-          .upper = triple<real>(scene.domain.upper),
-          .inverse_cell_size = static_cast<real>(1 / grid.cell_edge),
-          .quanta_per_force = static_cast<real>(device.quanta_per_force),
-          .quanta_per_torque = static_cast<real>(device.quanta_per_torque),
-          .skin = static_cast<real>(device.skin),
-          .k_spring = static_cast<real>(simple.k_spring),
-          .k_damping = static_cast<real>(simple.k_damping),
-          .k_shear = static_cast<real>(simple.k_shear),
-          .n_particles = device.n_particles,
-          .n_keys = device.n_keys,
-          .n_materials = static_cast<std::uint32_t>(scene.contacts.n_materials()),
-          .n_walls = static_cast<std::uint32_t>(scene.walls.size()),
-          .cells_x = grid.n_cells[0],
-          .cells_y = grid.n_cells[1],
-          .cells_z = grid.n_cells[2],
-          .n_cells = device.n_cells};
+  return layout::StepParameters<real, decltype(place(scene.domain.lower).x)>{
+      .lower = place(scene.domain.lower),
+      .upper = place(scene.domain.upper),
+      .time_step = static_cast<real>(scene.time_step),
+      .gravity = triple<real>(scene.gravity),
+      .inverse_cell_size = static_cast<real>(1 / grid.cell_edge),
+      .quanta_per_force = static_cast<real>(device.quanta_per_force),
+      .quanta_per_torque = static_cast<real>(device.quanta_per_torque),
+      .skin = static_cast<real>(device.skin),
+      .k_spring = static_cast<real>(simple.k_spring),
+      .k_damping = static_cast<real>(simple.k_damping),
+      .k_shear = static_cast<real>(simple.k_shear),
+      .n_particles = device.n_particles,
+      .n_keys = device.n_keys,
+      .n_materials = static_cast<std::uint32_t>(scene.contacts.n_materials()),
+      .n_walls = static_cast<std::uint32_t>(scene.walls.size()),
+      .cells_x = grid.n_cells[0],
+      .cells_y = grid.n_cells[1],
+      .cells_z = grid.n_cells[2],
+      .n_cells = device.n_cells};
 }
 
 // Volatile, because GCC 12 drops a conversion to float and back where it vectorises.
@@ -178,11 +184,20 @@ template <class real>
 void fill(const Scene& scene, const GridGeometry& grid, DeviceScene& device) {
   using enum DeviceArray;
   const ParticleState& particles = scene.particles;
-  const layout::StepParameters<real> parameters = step_parameters<real>(scene, device, grid);
-  device.parameters = bytes_of<layout::StepParameters<real>>({&parameters, 1});
   auto& contents = device.contents;
-  contents[position_radius] =
-      packed<real>(particles.position, [&](std::size_t k) { return particles.radius[k]; });
+  if (device.fixed_point) {
+    device.parameters = bytes_of_one(step_parameters<real>(scene, device, grid, [&](const Vector3d& v) {
+      return layout::Triple<std::int64_t>{device.fixed_point->units(v.x()), device.fixed_point->units(v.y()),
+                                          device.fixed_point->units(v.z())};
+    }));
+    contents[position_radius] = fixed_places(particles, *device.fixed_point);
+    contents[walls] = fixed_wall_rows(scene.walls, *device.fixed_point);
+  } else {
+    device.parameters = bytes_of_one(step_parameters<real>(scene, device, grid, triple<real>));
+    contents[position_radius] =
+        packed<real>(particles.position, [&](std::size_t k) { return particles.radius[k]; });
+    contents[walls] = wall_rows<real>(scene.walls);
+  }
   contents[velocity_mass] =
       packed<real>(particles.velocity, [&](std::size_t k) { return particles.mass[k]; });
   contents[angular_velocity] = packed<real>(particles.angular_velocity, [](std::size_t) { return 0.0; });
@@ -191,7 +206,6 @@ void fill(const Scene& scene, const GridGeometry& grid, DeviceScene& device) {
     identity.insert(identity.end(), {rank, particles.material[rank]});
   }
   contents[rank_material] = bytes_of<std::uint32_t>(identity);
-  contents[walls] = wall_rows<real>(scene.walls);
   contents[contact_parameters] = contact_parameter_rows<real>(scene.contacts);
   if (device.keeps_history) lay_out_history<real>(particles, device);
 }
@@ -212,13 +226,14 @@ void size_arrays(const Variant& variant, DeviceScene& device) {
   const std::size_t n = device.n_particles, real_bytes = device.is_fp64 ? 8 : 4;
   const bool reorders = order_of(variant).moves_particles;
   auto& bytes = device.bytes;
-  for (DeviceArray vectors : {position_radius, velocity_mass, angular_velocity, force, torque})
+  for (DeviceArray vectors : {velocity_mass, angular_velocity, force, torque})
     bytes[vectors] = 4 * real_bytes * n;
+  bytes[position_radius] = device.contents[position_radius].size();
   for (DeviceArray pairs : {rank_material, contact_counts}) bytes[pairs] = 8 * n;
   if (reorders) {
-    for (DeviceArray vectors : {position_radius_spare, velocity_mass_spare, angular_velocity_spare}) {
+    bytes[position_radius_spare] = bytes[position_radius];
+    for (DeviceArray vectors : {velocity_mass_spare, angular_velocity_spare})
       bytes[vectors] = 4 * real_bytes * n;
-    }
     bytes[rank_material_spare] = 8 * n;
   }
   if (device.keeps_history) {
@@ -238,7 +253,7 @@ void size_arrays(const Variant& variant, DeviceScene& device) {
   bytes[near] = 4 * std::size_t{device.list_slots} * n;
   if (search_of(variant).lists == Lists::neighbours) {
     bytes[near_counts] = 4 * n;
-    bytes[listed_positions] = 4 * real_bytes * n;
+    bytes[listed_positions] = bytes[position_radius];
     bytes[lists_outdated] = 4;
   }
   bytes[particle_of_rank] = 4 * n;
@@ -297,6 +312,7 @@ DeviceScene lay_out(const Scene& scene, const Variant& variant) {
   device.n_particles = static_cast<std::uint32_t>(particles.size());
   device.n_keys = std::max<std::uint32_t>(2 * SORT_WORK_GROUP, std::bit_ceil(device.n_particles));
   const GridGeometry grid = device_grid(scene, device.skin, cell_size_of(variant).edges);
+  if (precision_of(variant).has_fixed_places) device.fixed_point = fixed_point_for(scene, grid.cell_edge);
   device.work_group = work_group_of(variant).work_items;
   device.n_cells =
       order_of(variant).has_tiles ? cells_in_tiles(grid) : static_cast<std::uint32_t>(grid.cell_count());

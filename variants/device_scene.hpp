@@ -4,17 +4,20 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/particle_state.hpp"
 #include "core/scene.hpp"
 #include "variants/axes.hpp"
 #include "variants/device_arrays.hpp"
+#include "variants/fixed_point.hpp"
 
 namespace warpgrain {
 
 struct DeviceScene {
   bool is_fp64 = false;
+  std::optional<FixedPoint> fixed_point;  // of places, where they are not floating
   bool keeps_history = false;
   std::uint32_t contact_slots = 0;  // of a particle; 0 without history
   std::uint32_t n_particles = 0;

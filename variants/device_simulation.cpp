@@ -47,6 +47,7 @@ DeviceSimulation::DeviceSimulation(const Scene& scene, const Variant& variant, c
   bytes_ = layout.bytes;
   contact_slots_ = layout.contact_slots;
   is_fp64_ = layout.is_fp64;
+  fixed_point_ = layout.fixed_point;
   plan_ = make_step_plan(scene, variant, layout, KernelSources(options.kernel_folder));
   device_->build(plan_.units);
   for (std::size_t k = 0; k < n_device_arrays; ++k) {
@@ -112,6 +113,14 @@ std::vector<double> DeviceSimulation::download_reals(DeviceArray array) const {
   return {values.begin(), values.end()};
 }
 
+std::vector<double> DeviceSimulation::download_places() const {
+  if (!fixed_point_) return download_reals(DeviceArray::position_radius);
+  std::vector<double> lengths;
+  for (const std::int64_t units : download<std::int64_t>(DeviceArray::position_radius))
+    lengths.push_back(fixed_point_->length(units));
+  return lengths;
+}
+
 std::vector<std::uint32_t> DeviceSimulation::places_by_id() const {
   const std::vector<std::uint32_t> rank_material = download<std::uint32_t>(DeviceArray::rank_material);
   std::vector<std::uint32_t> place_of_rank(id_.size());
@@ -147,7 +156,7 @@ ContactHistory DeviceSimulation::history_before(const std::vector<std::uint32_t>
 ParticleState DeviceSimulation::state() const {
   check();
   const std::vector<std::uint32_t> places = places_by_id();
-  const std::vector<double> position = download_reals(DeviceArray::position_radius);
+  const std::vector<double> position = download_places();
   const std::vector<double> velocity = download_reals(DeviceArray::velocity_mass);
   const std::vector<double> angular_velocity = download_reals(DeviceArray::angular_velocity);
   ParticleState state;

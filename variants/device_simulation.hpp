@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "variants/backend.hpp"
@@ -33,6 +34,7 @@ class DeviceSimulation : public Simulation {
   template <class T>
   std::vector<T> download(DeviceArray array) const;
   std::vector<double> download_reals(DeviceArray array) const;
+  std::vector<double> download_places() const;  // x, y, z, radius [m] a particle
   // Where the k-th particle by id stands in the device's arrays now, [n_particles].
   std::vector<std::uint32_t> places_by_id() const;
   ContactHistory history_before(const std::vector<std::uint32_t>& places) const;
@@ -45,6 +47,7 @@ class DeviceSimulation : public Simulation {
   PerArray<std::size_t> bytes_;
   std::uint32_t contact_slots_ = 0;
   bool is_fp64_ = false;
+  std::optional<FixedPoint> fixed_point_;
   std::uint64_t steps_done_ = 0;
 };
 

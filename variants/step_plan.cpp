@@ -32,9 +32,10 @@ std::vector<SourceUnit> source_units(const Scene& scene, const Variant& variant,
                                             std::string(sort_of(variant).file), "reorder_particles.cl",
                                             "find_cells.cl"};
   const std::vector<std::string> pair_files{law, search}, wall_files{law, "force_from_walls.cl"};
-  const std::string options =
+  std::string options =
       fmt::format("-cl-std=CL1.2 -D REAL_BITS={} -D CONTACT_SLOTS={} -D PARTICLE_WORK_GROUP={}",
                   device.is_fp64 ? 64 : 32, device.contact_slots, device.work_group);
+  if (device.fixed_point) options += ' ' + device.fixed_point->build_options();
   const std::string wall_options = fmt::format(
       "{} -D SLIP_HISTORY={} -D NORMAL_FORCE={} {}", options, static_cast<int>(scene.model.slip_history),
       static_cast<int>(scene.model.normal_force), math_mode(variant).build_options);

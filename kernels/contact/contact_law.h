@@ -8,11 +8,13 @@
 #define WARPGRAIN_CONTACT_LAW_H
 
 #include "contact_history.h"
+#include "place.h"
 #include "prelude.h"
 
 // The particle whose work-item runs.
 typedef struct {
-  real3 position, velocity, angular_velocity;
+  Place place;
+  real3 velocity, angular_velocity;
   real radius, mass;
   real inverse_radius, inverse_mass;
   uint rank, material;

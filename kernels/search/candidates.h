@@ -41,7 +41,7 @@ DEVICE_FUNCTION uint2 stretch_from(const StepParameters p, int x, int y, int z,
 // are; a list that is too short is an error of the run.
 DEVICE_FUNCTION uint list_near(const StepParameters p, uint self, const Particle* particle, real skin,
                                GLOBAL const ulong* cell_keys, GLOBAL const uint2* cell_ranges,
-                               GLOBAL const real4* position_radius, GLOBAL uint* near, GLOBAL uint* status) {
+                               GLOBAL const Place* position_radius, GLOBAL uint* near, GLOBAL uint* status) {
   uint n_near = 0;
   const Cell cell = cell_at(p, position_radius[self]);
   for (int z = max(cell.z - 1, 0); z <= min(cell.z + 1, (int)p.cells_z - 1); ++z) {    // branch: next layer
@@ -50,9 +50,8 @@ DEVICE_FUNCTION uint list_near(const StepParameters p, uint self, const Particle
         const uint2 stretch = stretch_from(p, cell.x - 1 + s, y, z, cell_ranges);
         for (uint place = stretch.x; place < stretch.y; ++place) {  // branch: next candidate
           const uint other = particle_at(place, cell_keys);
-          const Pair pair = pair_with(particle, position_radius[other]);
-          const real limit = pair.reach + skin;
-          const bool is_near = pair.square < limit * limit && other != self;
+          const Pair pair = pair_with(particle->place, position_radius[other]);
+          const bool is_near = is_within(&pair, skin) && other != self;
           if (is_near && n_near < LIST_SLOTS) {  // branch: near enough
             near[n_near * p.n_particles + self] = other;
           }

@@ -8,7 +8,7 @@
 #include "prelude.h"
 
 KERNEL void force_between_particles(const StepParameters p, GLOBAL const ulong* cell_keys,
-                                    GLOBAL const uint2* cell_ranges, GLOBAL const real4* position_radius,
+                                    GLOBAL const uint2* cell_ranges, GLOBAL const Place* position_radius,
                                     GLOBAL const real4* velocity_mass, GLOBAL const real4* angular_velocity,
                                     GLOBAL const uint2* rank_material,
                                     CONSTANT const real4* contact_parameters, GLOBAL real4* force,
@@ -31,8 +31,8 @@ KERNEL void force_between_particles(const StepParameters p, GLOBAL const ulong* 
         for (uint place = range.x; place < range.y; ++place) {  // branch: next candidate
           const uint other = particle_at(place, cell_keys);
           if (other == self) continue;  // branch: self
-          const Pair pair = pair_with(&particle, position_radius[other]);
-          if (pair.square < pair.reach * pair.reach) {  // branch: contact test
+          const Pair pair = pair_with(particle.place, position_radius[other]);
+          if (touches(&pair)) {  // branch: contact test
             const Contact contact =
                 contact_of(&particle, &pair, other, velocity_mass, angular_velocity, rank_material);
             apply_contact(&law, &particle, &contact, &history, &sum);

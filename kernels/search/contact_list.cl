@@ -29,7 +29,7 @@ DEVICE_FUNCTION uint owner_of(uint contact, LOCAL const uint* ends) {
 
 KERNEL WORK_GROUP_OF(PARTICLE_WORK_GROUP) void force_between_particles(
     const StepParameters p, GLOBAL const ulong* cell_keys, GLOBAL const uint2* cell_ranges, GLOBAL uint* near,
-    GLOBAL const real4* position_radius, GLOBAL const real4* velocity_mass,
+    GLOBAL const Place* position_radius, GLOBAL const real4* velocity_mass,
     GLOBAL const real4* angular_velocity, GLOBAL const uint2* rank_material,
     CONSTANT const real4* contact_parameters, GLOBAL real4* force, GLOBAL real4* torque,
     GLOBAL uint2* contact_counts, GLOBAL uint* status HISTORY_PARAMETERS) {
@@ -61,7 +61,7 @@ KERNEL WORK_GROUP_OF(PARTICLE_WORK_GROUP) void force_between_particles(
       const Particle particle =
           load_particle(index, position_radius, velocity_mass, angular_velocity, rank_material);
       const uint other = near[k * p.n_particles + index];
-      const Pair pair = pair_with(&particle, position_radius[other]);
+      const Pair pair = pair_with(particle.place, position_radius[other]);
       const Contact contact =
           contact_of(&particle, &pair, other, velocity_mass, angular_velocity, rank_material);
       ContactHistory history = HISTORY_OF(index, particle.rank, k);

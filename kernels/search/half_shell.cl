@@ -16,11 +16,11 @@
 // Appends the touching partners of a stretch to the list of `self`.
 DEVICE_FUNCTION uint list_touching(const StepParameters p, uint self, const Particle* particle, uint2 stretch,
                                    uint n_near, GLOBAL const ulong* cell_keys,
-                                   GLOBAL const real4* position_radius, GLOBAL uint* near) {
+                                   GLOBAL const Place* position_radius, GLOBAL uint* near) {
   for (uint place = stretch.x; place < stretch.y; ++place) {  // branch: next candidate
     const uint other = particle_at(place, cell_keys);
-    const Pair pair = pair_with(particle, position_radius[other]);
-    const bool is_near = pair.square < pair.reach * pair.reach;
+    const Pair pair = pair_with(particle->place, position_radius[other]);
+    const bool is_near = touches(&pair);
     if (is_near && n_near < LIST_SLOTS) near[n_near * p.n_particles + self] = other;  // branch: near enough
     n_near += is_near ? 1 : 0;
   }
@@ -55,7 +55,7 @@ KERNEL void clear_sums(const StepParameters p, GLOBAL long* fixed_sums, GLOBAL u
 
 KERNEL void force_of_pairs(const StepParameters p, GLOBAL const ulong* cell_keys,
                            GLOBAL const uint2* cell_ranges, GLOBAL uint* near,
-                           GLOBAL const real4* position_radius, GLOBAL const real4* velocity_mass,
+                           GLOBAL const Place* position_radius, GLOBAL const real4* velocity_mass,
                            GLOBAL const real4* angular_velocity, GLOBAL const uint2* rank_material,
                            CONSTANT const real4* contact_parameters, GLOBAL long* fixed_sums,
                            GLOBAL uint* contact_counts, GLOBAL uint* status HISTORY_PARAMETERS) {
@@ -88,7 +88,7 @@ KERNEL void force_of_pairs(const StepParameters p, GLOBAL const ulong* cell_keys
   sum.torque = sum.force;
   for (uint k = 0; k < n_near; ++k) {  // branch: next contact
     const uint other = near[k * p.n_particles + self];
-    const Pair pair = pair_with(&particle, position_radius[other]);
+    const Pair pair = pair_with(particle.place, position_radius[other]);
     const Contact contact =
         contact_of(&particle, &pair, other, velocity_mass, angular_velocity, rank_material);
     const uint slot = atomic_inc(&contact_counts[2 * self]);
@@ -108,7 +108,7 @@ KERNEL void force_of_pairs(const StepParameters p, GLOBAL const ulong* cell_keys
   add_fixed(fixed_sums, self, sum.force, sum.torque, p, particle.rank, status);
 }
 
-KERNEL void force_of_sums(const StepParameters p, GLOBAL const real4* position_radius,
+KERNEL void force_of_sums(const StepParameters p, GLOBAL const Place* position_radius,
                           GLOBAL const real4* velocity_mass, GLOBAL const real4* angular_velocity,
                           GLOBAL const uint2* rank_material, GLOBAL const long* fixed_sums,
                           GLOBAL real4* force, GLOBAL real4* torque) {

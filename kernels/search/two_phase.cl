@@ -9,7 +9,7 @@
 
 KERNEL void force_between_particles(const StepParameters p, GLOBAL const ulong* cell_keys,
                                     GLOBAL const uint2* cell_ranges, GLOBAL uint* near,
-                                    GLOBAL const real4* position_radius, GLOBAL const real4* velocity_mass,
+                                    GLOBAL const Place* position_radius, GLOBAL const real4* velocity_mass,
                                     GLOBAL const real4* angular_velocity, GLOBAL const uint2* rank_material,
                                     CONSTANT const real4* contact_parameters, GLOBAL real4* force,
                                     GLOBAL real4* torque, GLOBAL uint2* contact_counts,
@@ -26,7 +26,7 @@ KERNEL void force_between_particles(const StepParameters p, GLOBAL const ulong* 
   ForceSum sum = gravity_alone(p, &particle);
   for (uint k = 0; k < n_contacts; ++k) {  // branch: next contact
     const uint other = near[k * p.n_particles + self];
-    const Pair pair = pair_with(&particle, position_radius[other]);
+    const Pair pair = pair_with(particle.place, position_radius[other]);
     const Contact contact =
         contact_of(&particle, &pair, other, velocity_mass, angular_velocity, rank_material);
     apply_contact(&law, &particle, &contact, &history, &sum);

@@ -10,22 +10,22 @@
 
 // Whether the lists may miss a contact: both partners may have moved towards each other, by half the skin
 // each, less some room for rounding. Written so that a NaN makes it so.
-KERNEL void check_lists(const StepParameters p, GLOBAL const real4* position_radius,
-                        GLOBAL const uint2* rank_material, GLOBAL const real4* listed_positions,
+KERNEL void check_lists(const StepParameters p, GLOBAL const Place* position_radius,
+                        GLOBAL const uint2* rank_material, GLOBAL const Place* listed_positions,
                         GLOBAL uint* lists_outdated, GLOBAL uint* status) {
   const uint particle = work_item();
   if (particle >= p.n_particles) return;  // branch: beyond the last particle
   is_inside(p, position_radius[particle], rank_material[particle].x, status);
-  const real3 moved = xyz(position_radius[particle]) - xyz(listed_positions[particle]);
+  const real3 moved = way_between(listed_positions[particle], position_radius[particle]);
   const real limit = REAL(0.49) * p.skin;
   if (!(dot(moved, moved) < limit * limit)) atomic_max(lists_outdated, 1u);  // branch: moved far
 }
 
 KERNEL void list_neighbours(const StepParameters p, GLOBAL const ulong* cell_keys,
-                            GLOBAL const uint2* cell_ranges, GLOBAL const real4* position_radius,
+                            GLOBAL const uint2* cell_ranges, GLOBAL const Place* position_radius,
                             GLOBAL const real4* velocity_mass, GLOBAL const real4* angular_velocity,
                             GLOBAL const uint2* rank_material, GLOBAL uint* near, GLOBAL uint* near_counts,
-                            GLOBAL real4* listed_positions, GLOBAL uint* lists_outdated,
+                            GLOBAL Place* listed_positions, GLOBAL uint* lists_outdated,
                             GLOBAL uint* status) {
   const uint self = work_item();
   if (self == 0) *lists_outdated = 0;
@@ -40,7 +40,7 @@ KERNEL void list_neighbours(const StepParameters p, GLOBAL const ulong* cell_key
 // Which of the listed neighbours touch goes into a word of bits, 32 at a time, so that no lane waits in the
 // law for a lane whose neighbour does not touch.
 KERNEL void force_between_particles(const StepParameters p, GLOBAL const uint* near,
-                                    GLOBAL const uint* near_counts, GLOBAL const real4* position_radius,
+                                    GLOBAL const uint* near_counts, GLOBAL const Place* position_radius,
                                     GLOBAL const real4* velocity_mass, GLOBAL const real4* angular_velocity,
                                     GLOBAL const uint2* rank_material,
                                     CONSTANT const real4* contact_parameters, GLOBAL real4* force,
@@ -60,14 +60,14 @@ KERNEL void force_between_particles(const StepParameters p, GLOBAL const uint* n
     const uint n = min(n_near - first, 32u);
     uint touching = 0;
     for (uint k = 0; k < n; ++k) {  // branch: next neighbour
-      const Pair pair = pair_with(&particle, position_radius[near[(first + k) * p.n_particles + self]]);
-      touching |= pair.square < pair.reach * pair.reach ? 1u << k : 0;
+      const Pair pair = pair_with(particle.place, position_radius[near[(first + k) * p.n_particles + self]]);
+      touching |= touches(&pair) ? 1u << k : 0;
     }
     while (touching != 0) {  // branch: next contact
       const uint k = lowest_bit(touching);
       touching &= touching - 1;
       const uint other = near[(first + k) * p.n_particles + self];
-      const Pair pair = pair_with(&particle, position_radius[other]);
+      const Pair pair = pair_with(particle.place, position_radius[other]);
       const Contact contact =
           contact_of(&particle, &pair, other, velocity_mass, angular_velocity, rank_material);
       apply_contact(&law, &particle, &contact, &history, &sum);
