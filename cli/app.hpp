@@ -14,6 +14,7 @@ using Action = std::function<int()>;
 void add_list_command(CLI::App& app, Action& chosen);
 void add_run_command(CLI::App& app, Action& chosen);
 void add_profile_command(CLI::App& app, Action& chosen);
+void add_record_command(CLI::App& app, Action& chosen);
 void add_sweep_command(CLI::App& app, Action& chosen);
 void add_measure_command(CLI::App& app, Action& chosen);
 void add_paper_command(CLI::App& app, Action& chosen);

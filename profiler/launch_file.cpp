@@ -185,6 +185,7 @@ LaunchFile read_launch_file(const std::filesystem::path& path) {
   const std::string program = tokens.take("the program's file name").text;
   file.program = path.parent_path() / program;
   if (!std::filesystem::exists(file.program) && std::filesystem::exists(program)) file.program = program;
+  if (std::ifstream options(options_file(file.program)); options) std::getline(options, file.build_options);
   file.kernel = tokens.take("the kernel's name").text;
   for (std::uint64_t& size : file.shape.global_size)
     size = tokens.take_size<std::uint64_t>("a global size, three numbers above 0");

@@ -24,13 +24,15 @@
 //
 // Beyond Oclgrind: `file=PATH` reads raw bytes, relative to the launch file; the program may be PTX (`.ptx`)
 // or CUDA C++ (`.cu`).
-// The program stands relative to the launch file, too, or else to the working directory.
+// The program stands relative to the launch file, too, or else to the working directory. A file
+// PROGRAM.options beside it, kernel.cl.options, holds build options that come before those of the call.
 
 #include <array>
 #include <cstddef>
 #include <filesystem>
 #include <iosfwd>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -59,6 +61,8 @@ struct LaunchFileArgument {
 struct LaunchFile {
   std::filesystem::path path;
   std::filesystem::path program;
+  std::string program_name;   // what reports call it; empty: its path
+  std::string build_options;  // of the program's own
   std::string kernel;
   LaunchShape shape;
   std::vector<LaunchFileArgument> arguments;
@@ -66,6 +70,15 @@ struct LaunchFile {
 
 // Throws InputError with file and line.
 LaunchFile read_launch_file(const std::filesystem::path& path);
+
+// Arguments of given bytes. A buffer's go to the file `name` in `folder`, unless all are zero; one of none is
+// null. Throws InputError when the file cannot be written.
+LaunchFileArgument scalar_argument(std::span<const std::byte> value);
+LaunchFileArgument buffer_argument(std::span<const std::byte> bytes, const std::string& name,
+                                   const std::filesystem::path& folder);
+
+// Where the build options of a program stand.
+std::filesystem::path options_file(const std::filesystem::path& program);
 
 // Writes the file to `file.path`, its program and files of arguments as paths that are meant relative to it.
 // Throws InputError when it cannot be written.
@@ -76,11 +89,15 @@ struct LaunchFileResult {
   std::vector<DeviceBuffer> buffers;  // one an argument; empty for scalars and local memory
 };
 
-// Compiles and profiles the launch. Prints what the kernel prints to `out`, then the `dump`ed arguments as
-// Oclgrind prints them. Throws
-// InputError for a program that does not compile, a kernel that is not there, and arguments that do not fit
-// its parameters.
+class CompiledLaunches;
+
+// Compiles and profiles the launch; what `compiled` holds is taken from there. Prints what the kernel prints
+// to `out`, then the `dump`ed arguments as Oclgrind prints them. Throws InputError for a program that does
+// not compile, a kernel that is not there, and arguments that do not fit its parameters.
 LaunchFileResult profile_launch_file(const LaunchFile& file, const std::string& build_options,
                                      const ProfileOptions& options, std::ostream& out);
+LaunchFileResult profile_launch_file(const LaunchFile& file, const std::string& build_options,
+                                     const ProfileOptions& options, std::ostream& out,
+                                     CompiledLaunches& compiled);
 
 }  // namespace warpgrain::profiler

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <fmt/format.h>
 #include <fstream>
 
@@ -23,6 +24,39 @@ std::string header(const LaunchFileArgument& argument) {
 }
 
 }  // namespace
+
+LaunchFileArgument scalar_argument(std::span<const std::byte> value) {
+  LaunchFileArgument argument;
+  argument.size = value.size();
+  argument.type = ElementType::u8;
+  argument.hex = true;
+  for (const std::byte byte : value) argument.values.push_back({fmt::format("{:02x}", byte), 0});
+  return argument;
+}
+
+LaunchFileArgument buffer_argument(std::span<const std::byte> bytes, const std::string& name,
+                                   const std::filesystem::path& folder) {
+  LaunchFileArgument argument;
+  argument.size = bytes.size();
+  argument.type = ElementType::u8;
+  argument.is_null = bytes.empty();
+  if (bytes.empty()) return argument;
+  if (std::ranges::all_of(bytes, [](std::byte byte) { return byte == std::byte{0}; })) {
+    argument.fill = std::string(1, '0');
+    return argument;
+  }
+  const std::filesystem::path path = folder / name;
+  std::ofstream out(path, std::ios::binary);
+  const auto size = static_cast<std::streamsize>(bytes.size());
+  if (!out.write(reinterpret_cast<const char*>(bytes.data()), size).flush())
+    throw_input_error(path.string(), "cannot be written", "a folder to write to");
+  argument.file = name;
+  return argument;
+}
+
+std::filesystem::path options_file(const std::filesystem::path& program) {
+  return program.string() + ".options";
+}
 
 void write_launch_file(const LaunchFile& file) {
   const auto& [x, y, z] = file.shape.global_size;

@@ -11,9 +11,6 @@
 #include "variants/simt_device.hpp"
 
 namespace warpgrain {
-namespace {
-
-// Every order was known to some kernel.
 void require_answers(const std::vector<profiler::WhatIf>& questions,
                      const std::vector<profiler::LaunchProfile>& launches) {
   std::vector<std::string_view> labels{"thread_instructions"};
@@ -29,8 +26,6 @@ void require_answers(const std::vector<profiler::WhatIf>& questions,
     if (!answered.contains(question.order.name()))
       throw_unknown_name("order sorted", "thread count", question.order.key, labels);
 }
-
-}  // namespace
 
 std::vector<profiler::LaunchProfile> profile_step(const Scene& scene, const Variant& variant,
                                                   const profiler::ProfileOptions& options,

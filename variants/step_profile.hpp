@@ -22,4 +22,8 @@ std::vector<profiler::LaunchProfile> profile_step(const Scene& scene, const Vari
                                                   const BackendOptions& backend = {},
                                                   const std::filesystem::path& export_folder = {});
 
+// Throws InputError for a question that sorts threads by a count which none of the launches has.
+void require_answers(const std::vector<profiler::WhatIf>& questions,
+                     const std::vector<profiler::LaunchProfile>& launches);
+
 }  // namespace warpgrain

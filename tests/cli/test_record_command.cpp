@@ -1,0 +1,113 @@
+// `warpgrain record` as it is called: as a program of its own, for the layer goes into another.
+
+#include <cstddef>
+#include <filesystem>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "command_fixture.hpp"
+#include "profiler/subprocess.hpp"
+
+namespace warpgrain::cli {
+namespace {
+
+using nlohmann::json;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+constexpr int status_of_program = 7;
+
+class Record : public CommandTest {
+ protected:
+  void SetUp() override {
+    CommandTest::SetUp();
+    build_ = std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path();
+    program_ = {build_ / "tests" / "cli" / "recorded" / "warpgrain_recorded_program", data_ / "recorded.cl"};
+  }
+
+  int record(const std::vector<std::string>& options, const std::string& times = "1") {
+    std::vector<std::string> words{build_ / "cli" / "warpgrain", "record"};
+    words.insert(words.end(), options.begin(), options.end());
+    words.insert(words.end(), {"--", program_[0], program_[1], times});
+    const profiler::ProcessResult result = profiler::run_process(words);
+    out_ = result.output;
+    err_ = result.errors;
+    return result.exit_status;
+  }
+
+  std::vector<std::string> kernels(const json& report) const {
+    std::vector<std::string> names;
+    for (const json& launch : report.at("launches")) names.push_back(launch.at("kernel"));
+    return names;
+  }
+
+  const std::filesystem::path data_ = std::filesystem::path(WARPGRAIN_SOURCE_DIR) / "tests" / "cli" / "data";
+  std::filesystem::path build_;
+  std::vector<std::string> program_;
+};
+
+TEST_F(Record, CountsWhatHandWrittenLaunchFilesCount) {
+  EXPECT_EQ(record({"--weights", "ptx", "--json", path("r.json")}), status_of_program) << err_;
+  const json report = json::parse(read("r.json"));
+  ASSERT_THAT(kernels(report), ElementsAre("scale", "sum_groups", "count_bits"));
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::string file = data_ / ("recorded-" + std::to_string(k + 1) + ".sim");
+    ASSERT_EQ(call({"profile", file, "--build-options", "-DSTRIDE=7", "--weights", "ptx", "--json", "-"}), 0)
+        << err_;
+    const json by_hand = json::parse(out_).at("launches").at(0);
+    const json& recorded = report.at("launches").at(k);
+    EXPECT_EQ(recorded.at("global_size"), by_hand.at("global_size"));
+    EXPECT_EQ(recorded.at("local_size"), by_hand.at("local_size"));
+    EXPECT_EQ(recorded.at("totals"), by_hand.at("totals"));
+  }
+}
+
+TEST_F(Record, LeavesTheProgramAsItIs) {
+  const auto plain = profiler::run_process({program_[0], program_[1], "1"});
+  ASSERT_EQ(plain.exit_status, status_of_program) << plain.errors;
+  EXPECT_EQ(record({"--weights", "ptx"}), status_of_program);
+  EXPECT_EQ(out_, plain.output);
+}
+
+TEST_F(Record, NamesWhatItDoesNotProfile) {
+  record({"--weights", "ptx", "--quiet", "--json", path("r.json")});
+  EXPECT_THAT(err_, HasSubstr("1 launch of count_bits: not profiled: a global work offset"));
+  EXPECT_THAT(err_, HasSubstr("1 launch of paint: not profiled: an image"));
+  EXPECT_EQ(error_lines(), 2U) << err_;
+  EXPECT_THAT(read("r.json"), HasSubstr("1 launch of paint: not profiled: an image"));
+}
+
+TEST_F(Record, TakesTheLaunchesThatAreAskedFor) {
+  record({"--weights", "ptx", "--quiet", "--json", path("r.json"), "--kernel", "sc*", "--every", "2",
+          "--first", "3", "--save", path("saved")},
+         "9");
+  EXPECT_THAT(kernels(json::parse(read("r.json"))), ElementsAre("scale", "scale", "scale"));
+  EXPECT_EQ(err_, "");
+  // The second has other scalars than the first; the third has the second's contents, which stand once.
+  EXPECT_NE(read("saved/launch-0001.sim"), read("saved/launch-0002.sim"));
+  EXPECT_EQ(read("saved/launch-0002.sim"), read("saved/launch-0003.sim"));
+  EXPECT_EQ(read("saved/program-0001.cl.options"), "-DSTRIDE=7\n");
+  ASSERT_EQ(call({"profile", path("saved/launch-0003.sim"), "--quiet"}), 0) << err_;
+
+  EXPECT_EQ(record({"--save", path("saved")}), 2);
+  EXPECT_THAT(err_, HasSubstr("holds recorded launches"));
+}
+
+TEST_F(Record, StopsAtItsLimits) {
+  record({"--weights", "ptx", "--largest", "1000", "--memory", "0"});
+  EXPECT_THAT(err_, HasSubstr("1 launch of scale: not profiled: more than 1000 work-items"));
+  EXPECT_THAT(err_, HasSubstr("1 launch of sum_groups: not profiled: recorded buffers may take 0 MiB"));
+}
+
+TEST_F(Record, RefusesWhatCannotRun) {
+  program_[0] = path("nowhere");
+  EXPECT_EQ(record({}), 2);
+  EXPECT_EQ(error_lines(), 1U) << err_;
+  EXPECT_EQ(call({"record", "--every", "0", "--", "true"}), 2);
+}
+
+}  // namespace
+}  // namespace warpgrain::cli
