@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -71,12 +72,18 @@ std::string place_text(const std::string& file, std::uint32_t line) {
   return fmt::format("{}:{}", path.is_absolute() ? path.filename().string() : file, line);
 }
 
+// A line of source as far as a terminal's line may go; what macros make text of has lines of thousands.
+std::string_view shortened(std::string_view text) {
+  constexpr std::size_t longest = 100;
+  return text.substr(0, longest);
+}
+
 std::string loss_list(const KernelSummary& kernel, std::size_t how_many) {
   std::vector<std::pair<std::uint64_t, std::string>> losses;
   for (const profiler::BranchTotals& branch : kernel.counters.branches)
     losses.emplace_back(branch.lane_slots_lost,
-                        fmt::format("{}  ({})  lanes disagreed in {} of {} executions", branch.label,
-                                    place_text(branch.file, branch.line),
+                        fmt::format("{}  ({})  lanes disagreed in {} of {} executions",
+                                    shortened(branch.label), place_text(branch.file, branch.line),
                                     percent_text(static_cast<double>(branch.divergent),
                                                  static_cast<double>(branch.executions)),
                                     count_text(branch.executions)));
@@ -109,7 +116,7 @@ std::string line_list(const KernelSummary& kernel, std::size_t how_many) {
                         percent_text(static_cast<double>(line->totals.warp_instructions),
                                      static_cast<double>(kernel.counters.totals.warp_instructions)),
                         fixed_text(line->totals.active_lanes(), 1), place,
-                        source.text_of(line->file, line->line));
+                        shortened(source.text_of(line->file, line->line)));
     text.erase(text.find_last_not_of(' ') + 1);
     text += '\n';
   }

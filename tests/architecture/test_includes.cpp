@@ -69,6 +69,16 @@ TEST(Includes, OnlyTheProfilersSourcesSeeLlvm) {
     }
 }
 
+// What goes into other people's programs.
+TEST(Includes, TheLayerTakesNoMoreThanWhatWritesLaunchFiles) {
+  const std::set<std::string> headers{"core/error.hpp", "profiler/build_options.hpp",
+                                      "profiler/launch_file.hpp", "cli/record_settings.hpp"};
+  for (const Include& include : includes_below(WARPGRAIN_SOURCE_DIR, "cli/layer"))
+    EXPECT_TRUE(!include.quoted || include.header.rfind("cli/layer/", 0) == 0 ||
+                headers.count(include.header))
+        << include.file << " includes " << include.header;
+}
+
 TEST(Includes, AnalysisSeesNoDeviceHeaders) {
   const fs::path root = WARPGRAIN_SOURCE_DIR;
   for (const Include& include : includes_below(root, "analysis"))

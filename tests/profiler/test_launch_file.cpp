@@ -94,6 +94,12 @@ TEST_F(LaunchFiles, TheProgramMayStandRelativeToTheWorkingDirectory) {
   EXPECT_EQ(read(here + " k 1 1 1 1 1 1").program, here);
 }
 
+TEST_F(LaunchFiles, TakesTheBuildOptionsBesideTheProgram) {
+  EXPECT_EQ(read("k.cl k 1 1 1 1 1 1").build_options, "");
+  std::ofstream(folder_ / "k.cl.options") << "-DX='a b' -cl-mad-enable\n";
+  EXPECT_EQ(read("k.cl k 1 1 1 1 1 1").build_options, "-DX='a b' -cl-mad-enable");
+}
+
 TEST_F(LaunchFiles, ErrorsNameFileLineAndWhatWasExpected) {
   const std::string head = "k.cl k\n64 1 1\n32 1 1\n";
   EXPECT_THAT(error_of(""), HasSubstr("expected the program's file name"));

@@ -13,6 +13,7 @@
 #include <stdexcept>
 
 #include "core/error.hpp"
+#include "profiler/compiled_launches.hpp"
 #include "profiler/launch_file.hpp"
 
 namespace warpgrain::profiler {
@@ -136,6 +137,23 @@ TEST_F(ProfileLaunchFile, ProvenanceIsKept) {
   EXPECT_THAT(profile.compiler, HasSubstr("15."));
   EXPECT_THAT(profile.compile_command, HasSubstr("-O2"));
   EXPECT_EQ(profile.counters.lines.at(0).file, profile.source_name);
+}
+
+TEST_F(ProfileLaunchFile, LaunchesOfOneProgramAreCompiledOnce) {
+  write("k.cl", "kernel void k(global int* a) { a[get_global_id(0)] = VALUE; }");
+  write("k.cl.options", "-DVALUE=3");
+  write("x.sim", "k.cl k 8 1 1 4 1 1 <size=32 noinit>");
+  LaunchFile file = read_launch_file(folder_ / "x.sim");
+  file.program_name = "short.cl";
+  CompiledLaunches compiled;
+  const auto run = [&] { return profile_launch_file(file, "", {}, dump_, compiled); };
+  const LaunchFileResult first = run();
+  EXPECT_EQ(std::to_integer<int>(first.buffers.at(0).bytes()[0]), 3);
+  EXPECT_EQ(first.profile.counters.lines.at(0).file, "short.cl");
+  std::filesystem::remove(folder_ / "k.cl");
+  EXPECT_EQ(run().profile.counters.totals, first.profile.counters.totals);
+  file.shape.local_size[0] = 3;  // whose last work-group is smaller: another PTX
+  EXPECT_THROW(run(), InputError);
 }
 
 TEST_F(ProfileLaunchFile, ThreeVectorsMayBeGivenWithoutRoomForAFourth) {
