@@ -12,28 +12,64 @@
 #define CONTACT_SLOTS 16
 #endif
 
+// Tangential displacements as they are stored: real, or (-D HALF_HISTORY, precision `fp16_history`) half, in
+// HISTORY_UNIT [m], a power of two, so that 2^-14 to 65504 of it are stored to 11 bits.
+#ifdef HALF_HISTORY
+#ifndef HISTORY_UNIT
+#define HISTORY_UNIT 0x1p-24f
+#endif
+typedef half StoredReal;
+
+DEVICE_FUNCTION real3 load_displacement(uint slot, GLOBAL const StoredReal* displacements) {
+  return make_real3(vload_half(3 * slot, displacements), vload_half(3 * slot + 1, displacements),
+                    vload_half(3 * slot + 2, displacements)) *
+         HISTORY_UNIT;
+}
+DEVICE_FUNCTION void store_displacement(real3 displacement, uint slot, GLOBAL StoredReal* displacements) {
+  const real3 scaled = displacement * (REAL(1.0) / HISTORY_UNIT);
+  vstore_half(scaled.x, 3 * slot, displacements);
+  vstore_half(scaled.y, 3 * slot + 1, displacements);
+  vstore_half(scaled.z, 3 * slot + 2, displacements);
+}
+// Written so that a NaN is not.
+DEVICE_FUNCTION bool is_storable(real3 displacement) {
+  const real largest = fmax(fmax(fabs(displacement.x), fabs(displacement.y)), fabs(displacement.z));
+  return largest <= REAL(65504.0) * HISTORY_UNIT;
+}
+#else
+typedef real StoredReal;
+
+DEVICE_FUNCTION real3 load_displacement(uint slot, GLOBAL const StoredReal* displacements) {
+  return vload3(slot, displacements);
+}
+DEVICE_FUNCTION void store_displacement(real3 displacement, uint slot, GLOBAL StoredReal* displacements) {
+  vstore3(displacement, slot, displacements);
+}
+#endif
+
 #if CONTACT_SLOTS > 0
 // Parameters of the kernels that evaluate forces, and how they are gathered into a ContactHistory.
-#define HISTORY_PARAMETERS                                                 \
-  , GLOBAL const uint2 *counts_before, GLOBAL const uint *partners_before, \
-      GLOBAL const real *displacements_before, GLOBAL uint *partners_after, GLOBAL real *displacements_after
+#define HISTORY_PARAMETERS                                                        \
+  , GLOBAL const uint2 *counts_before, GLOBAL const uint *partners_before,        \
+      GLOBAL const StoredReal *displacements_before, GLOBAL uint *partners_after, \
+      GLOBAL StoredReal *displacements_after
 
 // Of the slots, not of the contacts: a particle that ran out of slots goes on until the host has looked.
 DEVICE_FUNCTION uint used_slots(uint2 counts) { return min(counts.x + counts.y, (uint)CONTACT_SLOTS); }
 
 typedef struct {
   GLOBAL const uint* partners_before;
-  GLOBAL const real* displacements_before;
+  GLOBAL const StoredReal* displacements_before;
   uint n_before;
   GLOBAL uint* partners_after;
-  GLOBAL real* displacements_after;
+  GLOBAL StoredReal* displacements_after;
   uint n_after;
   GLOBAL uint* status;
   uint rank;
 #ifdef EACH_PAIR_ONCE
   // Where the partner keeps the same contact.
   GLOBAL uint* partners_of_other;
-  GLOBAL real* displacements_of_other;
+  GLOBAL StoredReal* displacements_of_other;
   uint n_of_other;
 #endif
 } ContactHistory;
@@ -60,7 +96,7 @@ DEVICE_FUNCTION ContactHistory history_of(uint particle, uint rank, uint n_after
 DEVICE_FUNCTION real3 remembered_displacement(const ContactHistory* history, uint partner) {
   for (uint slot = 0; slot < history->n_before; ++slot) {  // branch: history search
     if (history->partners_before[slot] == partner) {       // branch: history found
-      return vload3(slot, history->displacements_before);
+      return load_displacement(slot, history->displacements_before);
     }
   }
   return make_real3(REAL(0.0), REAL(0.0), REAL(0.0));
@@ -75,7 +111,7 @@ DEVICE_FUNCTION real3 remembered_displacement_without_branches(const ContactHist
     found = is_it ? slot : found;
     is_known |= is_it;
   }
-  const real3 displacement = vload3(found, history->displacements_before);
+  const real3 displacement = load_displacement(found, history->displacements_before);
   return make_real3(is_known ? displacement.x : REAL(0.0), is_known ? displacement.y : REAL(0.0),
                     is_known ? displacement.z : REAL(0.0));
 }
@@ -85,16 +121,20 @@ DEVICE_FUNCTION void remember_displacement(ContactHistory* history, uint partner
     report_error(history->status, STATUS_SLOTS_FULL, history->rank);
     return;
   }
+#ifdef HALF_HISTORY
+  if (!is_storable(displacement))  // branch: displacement too large
+    report_error(history->status, STATUS_DISPLACEMENT_TOO_LARGE, history->rank);
+#endif
 #ifdef EACH_PAIR_ONCE
   if (history->n_of_other >= CONTACT_SLOTS) {  // branch: slots of partner full
     report_error(history->status, STATUS_SLOTS_FULL, partner);
     return;
   }
   history->partners_of_other[history->n_of_other] = history->rank;
-  vstore3(-displacement, history->n_of_other, history->displacements_of_other);
+  store_displacement(-displacement, history->n_of_other, history->displacements_of_other);
 #endif
   history->partners_after[history->n_after] = partner;
-  vstore3(displacement, history->n_after, history->displacements_after);
+  store_displacement(displacement, history->n_after, history->displacements_after);
   history->n_after += 1;
 }
 
@@ -107,7 +147,7 @@ DEVICE_FUNCTION void remember_displacement(ContactHistory* history, uint partner
 
 DEVICE_FUNCTION ContactHistory history_of_pair(ContactHistory history, uint other, uint slot_of_other,
                                                GLOBAL uint* partners_after,
-                                               GLOBAL real* displacements_after) {
+                                               GLOBAL StoredReal* displacements_after) {
   history.partners_of_other = partners_after + other * CONTACT_SLOTS;
   history.displacements_of_other = displacements_after + other * CONTACT_SLOTS * 3;
   history.n_of_other = slot_of_other;

@@ -9,7 +9,7 @@
 //   force, torque         real4 [n]    x, y, z, unused; gravity included
 //   contact_counts        uint2 [n]    touching particles, touching walls; the sum is what slots were needed
 //   history_partners      uint [n * CONTACT_SLOTS]       rank, or WALL_PARTNER_BIT | index of the wall
-//   history_displacements real [n * CONTACT_SLOTS * 3]   tangential displacement (eq. 7)
+//   history_displacements StoredReal [n * CONTACT_SLOTS * 3]   tangential displacement (eq. 7)
 //   cell_keys             ulong [n_keys]   CM (eq. 11), once sorted SCM: cell in the high 32 bits, rank below
 //   particle_of_rank      uint [n]         where the particle of a rank stood when the map was made
 //   cell_ranges           uint2 [n_cells]  SCCM (eq. 12): a cell's first entry in the SCM, one past its last
@@ -121,7 +121,8 @@ LAYOUT_STRUCT(FixedWallLayout) {
 #define STATUS_SLOTS_FULL 4
 #define STATUS_LIST_FULL 5
 #define STATUS_FORCE_TOO_LARGE 6
-#define STATUS_SIZE 7
+#define STATUS_DISPLACEMENT_TOO_LARGE 7
+#define STATUS_SIZE 8
 #define NO_PARTICLE 0xFFFFFFFFu
 
 // Values of the model's options, as -D SLIP_HISTORY=... and -D NORMAL_FORCE=... name them.

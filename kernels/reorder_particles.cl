@@ -5,9 +5,10 @@
 #include "prelude.h"
 
 #if CONTACT_SLOTS > 0
-#define HISTORY_MOVE_PARAMETERS                                                                         \
-  , GLOBAL const uint2 *counts_in, GLOBAL const uint *partners_in, GLOBAL const real *displacements_in, \
-      GLOBAL uint2 *counts, GLOBAL uint *partners, GLOBAL real *displacements
+#define HISTORY_MOVE_PARAMETERS                                                               \
+  , GLOBAL const uint2 *counts_in, GLOBAL const uint *partners_in,                            \
+      GLOBAL const StoredReal *displacements_in, GLOBAL uint2 *counts, GLOBAL uint *partners, \
+      GLOBAL StoredReal *displacements
 #else
 #define HISTORY_MOVE_PARAMETERS
 #endif
@@ -32,8 +33,8 @@ KERNEL void reorder_particles(const StepParameters p, GLOBAL const ulong* cell_k
   counts[place] = count;
   for (uint slot = 0; slot < used_slots(count); ++slot) {  // branch: used contact slots
     partners[place * CONTACT_SLOTS + slot] = partners_in[origin * CONTACT_SLOTS + slot];
-    vstore3(vload3(origin * CONTACT_SLOTS + slot, displacements_in), place * CONTACT_SLOTS + slot,
-            displacements);
+    store_displacement(load_displacement(origin * CONTACT_SLOTS + slot, displacements_in),
+                       place * CONTACT_SLOTS + slot, displacements);
   }
 #endif
 }

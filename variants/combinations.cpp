@@ -60,6 +60,10 @@ std::string refusal(const Variant& variant) {
   if (precision_of(variant).is_fp64 && math_mode(variant).floats_alone)
     return "--math " + std::string(math_mode(variant).name) +
            " says nothing of double: choose --math default";
+  if (precision_of(variant).has_half_history && !contact_law(variant).keeps_history)
+    return "--precision " + std::string(precision_of(variant).name) +
+           " is for laws with contact history, and --contact " + std::string(contact_law(variant).name) +
+           " has none: choose --precision fp32";
   return {};
 }
 

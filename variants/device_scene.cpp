@@ -146,10 +146,19 @@ std::vector<std::byte> packed(const std::vector<Vector3d>& vectors, Fourth fourt
 }
 
 template <class real>
+std::vector<std::byte> stored_as(const std::vector<Vector3d>& vectors) {
+  std::vector<real> values;
+  values.reserve(3 * vectors.size());
+  for (const Vector3d& v : vectors)
+    for (const double component : v) values.push_back(static_cast<real>(component));
+  return bytes_of<real>(values);
+}
+
+template <class real>
 void lay_out_history(const ParticleState& particles, DeviceScene& device) {
   const std::size_t slots = device.contact_slots;
   std::vector<std::uint32_t> counts(2 * particles.size()), partners(slots * particles.size());
-  std::vector<real> displacements(3 * slots * particles.size());
+  std::vector<Vector3d> displacements(slots * particles.size(), Vector3d::Zero());
   std::unordered_map<std::uint32_t, std::uint32_t> rank_of_id;
   for (std::uint32_t rank = 0; rank < particles.size(); ++rank) rank_of_id[particles.id[rank]] = rank;
   const auto rank_of = [&](std::uint32_t id) {
@@ -169,15 +178,17 @@ void lay_out_history(const ParticleState& particles, DeviceScene& device) {
                                         record.particle_id, slots));
     }
     partners[rank * slots + slot] = is_wall ? record.partner_id : rank_of(record.partner_id);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      displacements[3 * (rank * slots + slot) + axis] =
-          static_cast<real>(record.tangential_displacement[static_cast<Eigen::Index>(axis)]);
-    }
+    if (device.half_history && !device.half_history->can_store(record.tangential_displacement))
+      throw SimulationError(
+          fmt::format("particle {}: its contact history has a displacement too large for half precision",
+                      record.particle_id));
+    displacements[rank * slots + slot] = record.tangential_displacement;
     ++count;
   }
   device.contents[DeviceArray::contact_counts] = bytes_of<std::uint32_t>(counts);
   device.contents[DeviceArray::history_partners] = bytes_of<std::uint32_t>(partners);
-  device.contents[DeviceArray::history_displacements] = bytes_of<real>(displacements);
+  device.contents[DeviceArray::history_displacements] =
+      device.half_history ? device.half_history->stored(displacements) : stored_as<real>(displacements);
 }
 
 template <class real>
@@ -241,7 +252,7 @@ void size_arrays(const Variant& variant, DeviceScene& device) {
     for (DeviceArray partners : {history_partners, history_partners_before})
       bytes[partners] = 4 * device.contact_slots * n;
     for (DeviceArray displacements : {history_displacements, history_displacements_before}) {
-      bytes[displacements] = 3 * real_bytes * device.contact_slots * n;
+      bytes[displacements] = 3 * (device.half_history ? 2 : real_bytes) * device.contact_slots * n;
     }
   }
   bytes[cell_keys] = 8 * std::size_t{device.n_keys};
@@ -292,6 +303,8 @@ DeviceScene lay_out(const Scene& scene, const Variant& variant) {
   device.is_fp64 = precision_of(variant).is_fp64;
   device.keeps_history = contact_law(variant).keeps_history;
   device.contact_slots = device.keeps_history ? contact_slots_for(particles) : 0;
+  if (precision_of(variant).has_half_history)
+    device.half_history = HalfHistory(std::ranges::min(particles.radius));
   if (search_of(variant).lists == Lists::contacts) device.list_slots = contact_slots_for(particles);
   if (search_of(variant).needs_long_atomics) {
     device.quanta_per_force = quanta_per_force(scene);

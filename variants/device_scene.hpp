@@ -12,6 +12,7 @@
 #include "variants/axes.hpp"
 #include "variants/device_arrays.hpp"
 #include "variants/fixed_point.hpp"
+#include "variants/half_history.hpp"
 
 namespace warpgrain {
 
@@ -19,7 +20,8 @@ struct DeviceScene {
   bool is_fp64 = false;
   std::optional<FixedPoint> fixed_point;  // of places, where they are not floating
   bool keeps_history = false;
-  std::uint32_t contact_slots = 0;  // of a particle; 0 without history
+  std::optional<HalfHistory> half_history;  // where displacements are not stored as reals
+  std::uint32_t contact_slots = 0;          // of a particle; 0 without history
   std::uint32_t n_particles = 0;
   std::uint32_t n_keys = 0;      // n_particles padded to a power of two, at least a block of the sort
   std::uint32_t n_cells = 0;     // numbers of cells

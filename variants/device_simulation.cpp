@@ -20,11 +20,12 @@ struct StatusMessage {
   std::size_t word;
   std::string_view text;
 };
-constexpr std::array<StatusMessage, 5> status_messages{{
+constexpr std::array<StatusMessage, 6> status_messages{{
     {STATUS_OUT_OF_DOMAIN, "left the domain"},
     {STATUS_NOT_FINITE, "has a position or a force that is not a finite number"},
     {STATUS_SLOTS_FULL, "has more contacts than contact slots"},
     {STATUS_FORCE_TOO_LARGE, "feels a force too large for fixed-point sums"},
+    {STATUS_DISPLACEMENT_TOO_LARGE, "has a tangential displacement too large for half precision"},
     {STATUS_LIST_FULL, "has more neighbours than its list has room for"},
 }};
 
@@ -48,6 +49,7 @@ DeviceSimulation::DeviceSimulation(const Scene& scene, const Variant& variant, c
   contact_slots_ = layout.contact_slots;
   is_fp64_ = layout.is_fp64;
   fixed_point_ = layout.fixed_point;
+  half_history_ = layout.half_history;
   plan_ = make_step_plan(scene, variant, layout, KernelSources(options.kernel_folder));
   device_->build(plan_.units);
   for (std::size_t k = 0; k < n_device_arrays; ++k) {
@@ -121,6 +123,12 @@ std::vector<double> DeviceSimulation::download_places() const {
   return lengths;
 }
 
+std::vector<double> DeviceSimulation::download_displacements_before() const {
+  using enum DeviceArray;
+  if (!half_history_) return download_reals(history_displacements_before);
+  return half_history_->lengths(download<std::uint16_t>(history_displacements_before));
+}
+
 std::vector<std::uint32_t> DeviceSimulation::places_by_id() const {
   const std::vector<std::uint32_t> rank_material = download<std::uint32_t>(DeviceArray::rank_material);
   std::vector<std::uint32_t> place_of_rank(id_.size());
@@ -136,7 +144,7 @@ ContactHistory DeviceSimulation::history_before(const std::vector<std::uint32_t>
   if (contact_slots_ == 0) return history;
   const auto counts = download<std::uint32_t>(DeviceArray::contact_counts_before);
   const auto partners = download<std::uint32_t>(DeviceArray::history_partners_before);
-  const auto displacements = download_reals(DeviceArray::history_displacements_before);
+  const auto displacements = download_displacements_before();
   for (std::size_t k = 0; k < places.size(); ++k) {
     const std::size_t place = places[k];
     const std::size_t first = history.size();

@@ -35,6 +35,7 @@ class DeviceSimulation : public Simulation {
   std::vector<T> download(DeviceArray array) const;
   std::vector<double> download_reals(DeviceArray array) const;
   std::vector<double> download_places() const;  // x, y, z, radius [m] a particle
+  std::vector<double> download_displacements_before() const;
   // Where the k-th particle by id stands in the device's arrays now, [n_particles].
   std::vector<std::uint32_t> places_by_id() const;
   ContactHistory history_before(const std::vector<std::uint32_t>& places) const;
@@ -48,6 +49,7 @@ class DeviceSimulation : public Simulation {
   std::uint32_t contact_slots_ = 0;
   bool is_fp64_ = false;
   std::optional<FixedPoint> fixed_point_;
+  std::optional<HalfHistory> half_history_;
   std::uint64_t steps_done_ = 0;
 };
 

@@ -36,6 +36,7 @@ std::vector<SourceUnit> source_units(const Scene& scene, const Variant& variant,
       fmt::format("-cl-std=CL1.2 -D REAL_BITS={} -D CONTACT_SLOTS={} -D PARTICLE_WORK_GROUP={}",
                   device.is_fp64 ? 64 : 32, device.contact_slots, device.work_group);
   if (device.fixed_point) options += ' ' + device.fixed_point->build_options();
+  if (device.half_history) options += ' ' + device.half_history->build_options();
   const std::string wall_options = fmt::format(
       "{} -D SLIP_HISTORY={} -D NORMAL_FORCE={} {}", options, static_cast<int>(scene.model.slip_history),
       static_cast<int>(scene.model.normal_force), math_mode(variant).build_options);

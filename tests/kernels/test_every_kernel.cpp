@@ -17,7 +17,7 @@ TEST(EveryKernel, CompilesAlone) {
   for (const EmbeddedKernel& kernel : embedded_kernels()) {
     if (!kernel.path.ends_with(".cl")) continue;
     ++files;
-    for (const char* precision : {"32", "64", "32 -D FIXED_POINT"}) {
+    for (const char* precision : {"32", "64", "32 -D FIXED_POINT", "32 -D HALF_HISTORY"}) {
       // A law's caller and a caller's law are in other files, hence the two warnings left out.
       const std::string command =
           "clang-15 -x cl -cl-std=CL1.2 -target nvptx64 -Xclang -cl-ext=+cl_khr_int64_base_atomics "

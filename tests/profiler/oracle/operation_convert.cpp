@@ -1,5 +1,6 @@
 // Conversions and moves.
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <type_traits>
@@ -44,12 +45,40 @@ auto with_number(const ptx::Statement& s, ptx::ScalarType type, F&& function) {
   return type.is_float() ? with_float(s, type, function) : with_integer(s, type, function);
 }
 
+// The value of a half by its definition: 1 sign, 5 exponent and 10 fraction bits.
+float value_of_half(Bits bits) {
+  const auto exponent = static_cast<int>(bits >> 10 & 0x1f), fraction = static_cast<int>(bits & 0x3ff);
+  const float sign = (bits & 0x8000) != 0 ? -1.0F : 1.0F;
+  if (exponent == 0x1f) return fraction != 0 ? std::numeric_limits<float>::quiet_NaN() : sign * HUGE_VALF;
+  const int significand = exponent == 0 ? fraction : 0x400 + fraction;
+  return sign * std::ldexp(static_cast<float>(significand), std::max(exponent, 1) - 25);
+}
+
+// The half nearest to x, ties to even.
+Bits half_nearest(float x) {
+  if (std::isnan(x)) return 0x7fff;
+  const Bits sign = std::signbit(x) ? 0x8000 : 0;
+  int exponent = 0;
+  std::frexp(x, &exponent);
+  const int lowest_bit = std::max(exponent - 11, -24);
+  const float rounded = std::ldexp(std::nearbyint(std::ldexp(std::fabs(x), -lowest_bit)), lowest_bit);
+  if (!(rounded < 65536.0F)) return sign | 0x7c00;
+  for (Bits bits = 0;; bits += 0x400)  // the last power of two that is not above it, then the rest
+    if (value_of_half(bits + 0x400) > rounded || bits == 0x7800)
+      return sign | (bits + static_cast<Bits>((rounded - value_of_half(bits)) /
+                                              (value_of_half(bits + 1) - value_of_half(bits))));
+}
+
 Operation conversion(const ptx::Statement& s) {
   Modifiers modifiers(s);
   const std::string rounding = modifiers.take_one_of({"rn", "rni", "rzi", "rmi", "rpi"});
   const bool saturates = modifiers.take("sat");
   const ptx::ScalarType to = modifiers.take_type(), from = modifiers.take_type();
   modifiers.finish();
+  if (from.is_float() && from.bits == 16 && to.is_float() && to.bits == 32)
+    return {{from}, to, [](const Bits* in) { return bits_of(value_of_half(in[0])); }};
+  if (to.is_float() && to.bits == 16 && from.is_float() && from.bits == 32 && rounding == "rn")
+    return {{from}, to, [](const Bits* in) { return half_nearest(value_of<float>(in[0])); }};
   if (saturates && (to.is_float() || from.is_float())) refuse(s, ".sat between integers alone");
   Operation operation{{from}, to, {}};
   operation.compute = with_number(s, from, [&](auto source) {
