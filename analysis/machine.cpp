@@ -25,6 +25,17 @@ MachineValue value_from(const JsonReader& place, bool whole) {
   return value;
 }
 
+CostConstants cost_from(const JsonReader& place) {
+  std::vector<std::string_view> keys;
+  for (const CostKey& key : cost_keys) keys.push_back(key.key);
+  place.require_keys(keys);
+  CostConstants cost;
+  for (const CostKey& key : cost_keys) cost.*key.value = value_from(place.at(key.key), false);
+  if (cost.overlap.value < 1)
+    place.at("overlap").at("value").fail(fmt::format("{}", cost.overlap.value), "1 or more");
+  return cost;
+}
+
 std::string_view name_of(const EmbeddedMachine& machine) {
   return machine.path.substr(0, machine.path.size() - extension.size());
 }
@@ -37,6 +48,7 @@ Machine machine_from(const JsonReader& place) {
   if (machine.name.empty()) place.at("name").fail("nothing", "the machine's name");
   machine.description = place.at("description").string();
   for (const MachineKey& key : machine_keys) machine.*key.value = value_from(place.at(key.key), key.whole);
+  if (const auto cost = place.maybe("cost")) machine.cost = cost_from(*cost);
   const auto width = static_cast<unsigned long long>(machine.warp_width.value);
   if (width < 4 || width > 64 || !std::has_single_bit(width))
     place.at("warp_width").fail(fmt::format("{}", width), "4, 8, 16, 32 or 64");
@@ -49,7 +61,7 @@ Machine parse_machine(std::string_view json_text, std::string_view file) {
   if (format.string() != machine_format)
     format.fail(fmt::format("'{}'", format.string()), fmt::format("'{}'", machine_format));
   document.require_keys({"format", "name", "description", "warp_width", "multiprocessors", "lanes",
-                         "sfu_lanes", "issue_rate", "clock", "memory_bandwidth"});
+                         "sfu_lanes", "issue_rate", "clock", "memory_bandwidth", "cost"});
   return machine_from(document);
 }
 

@@ -3,18 +3,16 @@
 // that ship stand in profiler/machines/, and docs/schemas/machine-1.schema.json is the JSON Schema.
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "analysis/cost_constants.hpp"
+
 namespace warpgrain {
 
 class JsonReader;
-
-struct MachineValue {
-  double value = 0;
-  std::string source;  // the document that says so
-};
 
 struct Machine {
   std::string name;
@@ -26,6 +24,7 @@ struct Machine {
   MachineValue issue_rate;        // warp instructions a clock that one multiprocessor issues
   MachineValue clock;             // of the multiprocessors, 1/s
   MachineValue memory_bandwidth;  // byte/s
+  std::optional<CostConstants> cost;
 };
 
 // The values under their keys, in the order of the format.

@@ -86,6 +86,7 @@ reports::MeasuredReport measured_launch(Options& options) {
 
 int measure(Options options) {
   if (options.launch.repeats == 0) throw_input_error("--repeats", "0", "a number above 0");
+  if (options.launch.in_a_row == 0) throw_input_error("--in-a-row", "0", "a number above 0");
   if (options.step.steps == 0) throw_input_error("--steps", "0", "a number above 0");
   if (options.launch.launch.empty() == options.scene.scene.empty())
     throw_input_error("warpgrain measure",
@@ -117,6 +118,7 @@ void add_measure_command(CLI::App& app, Action& chosen) {
   add_option(command, "--steps", options->step.steps);
   add_option(command, "--repeats", options->launch.repeats);
   add_option(command, "--warm-up", options->launch.warm_up);
+  add_option(command, "--in-a-row", options->launch.in_a_row);
   add_flag(command, "--counters", options->counters);
   add_flag(command, "--mark", options->launch.mark);
   add_option(command, "--benchmark-json", options->benchmark_json);

@@ -77,9 +77,11 @@ reports::MeasuredReport measure_launch(const LaunchMeasurement& what) {
   kernel.global_size = loaded.shape.global_size;
   const auto& [x, y, z] = loaded.shape.local_size;
   kernel.local_size = {x, y, z};
+  kernel.calls = what.in_a_row;
   for (unsigned k = 0; k < what.warm_up; ++k) launch.run();
-  for (unsigned k = 0; k < what.repeats; ++k) kernel.seconds.push_back(launch.run());
+  for (unsigned k = 0; k < what.repeats; ++k) kernel.seconds.push_back(launch.run(what.in_a_row));
   if (what.mark) launch.run_marked();
+  if (what.in_a_row != 1) launch.run();  // what is read below is of one launch
   kernel.code = {program.assembler, reports::text_hash(loaded.program.ptx),
                  static_cast<std::uint64_t>(launch.function().registers()),
                  static_cast<std::uint64_t>(launch.shared_bytes()),

@@ -13,6 +13,7 @@ struct LaunchMeasurement {
   std::string assembler = "driver";  // as cuda_assembler takes it
   std::string keep;                  // folder for what was assembled; empty: none
   unsigned warm_up = 3, repeats = 20;
+  unsigned in_a_row = 1;  // launches of a reading
   bool check = false;  // hold the buffers against the simulator's
   bool mark = false;   // run once more, for a profiler
 };

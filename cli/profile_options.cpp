@@ -55,6 +55,7 @@ profiler::ProfileOptions SimulatorOptions::profile_options(const DeviceOptions& 
   if (!what_if.empty()) options.what_if = what_if_questions(what_if, options.warp_width, options.policy);
   constexpr std::uint64_t largest = std::uint64_t{1} << 40;  // MiB: as good as no limit
   options.trace_memory = std::min(trace_memory, largest) << 20;
+  options.footprint = !machine.empty() && load_machine()->cost;
   options.threads = device.threads;
   options.checks = unchecked ? profiler::Checks::off : profiler::Checks::on;
   if (max_instructions == 0) throw_input_error("--max-instructions", "0", "a number above 0");

@@ -76,11 +76,11 @@ std::string JsonReader::quoted() const {
   return text;
 }
 
-void JsonReader::require_keys(std::initializer_list<std::string_view> allowed) const {
+void JsonReader::require_keys(std::span<const std::string_view> allowed) const {
   if (!value_->is_object()) fail(quoted(), "an object");
   for (const auto& [key, unused] : value_->items())
     if (std::find(allowed.begin(), allowed.end(), key) == allowed.end())
-      throw_unknown_name(where(), "key", key, std::span(allowed.begin(), allowed.size()));
+      throw_unknown_name(where(), "key", key, allowed);
 }
 
 bool JsonReader::has(std::string_view key) const { return value_->contains(key); }

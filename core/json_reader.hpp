@@ -29,7 +29,10 @@ class JsonReader {
   [[noreturn]] void fail(std::string_view what, std::string_view expected) const;
 
   // An object with no keys but these; the others fail naming the valid ones.
-  void require_keys(std::initializer_list<std::string_view> allowed) const;
+  void require_keys(std::span<const std::string_view> allowed) const;
+  void require_keys(std::initializer_list<std::string_view> allowed) const {
+    require_keys(std::span(allowed.begin(), allowed.size()));
+  }
   bool has(std::string_view key) const;
   JsonReader at(std::string_view key) const;                    // fails when it is missing
   std::optional<JsonReader> maybe(std::string_view key) const;  // empty when it is missing

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,16 @@ struct MemoryCounters {
   double efficiency() const;
   void add(const MemoryCounters& other);
   bool operator==(const MemoryCounters&) const = default;
+};
+
+// Distinct 32-byte sectors of the launch's buffers: what caches would have to fetch and write back, were they
+// large enough. Atomics are neither loads nor stores.
+struct FootprintCounters {
+  std::uint64_t group_load_sectors = 0, group_store_sectors = 0;  // of each work-group, summed over them
+  std::uint64_t load_sectors = 0, store_sectors = 0;              // of the whole launch
+  std::uint64_t part_stored_sectors = 0;  // of these, those of which some bytes are never stored
+  std::uint64_t sectors = 0;              // loaded or stored
+  bool operator==(const FootprintCounters&) const = default;
 };
 
 struct InstructionCount {
@@ -102,6 +113,12 @@ struct WhatIfTotals {
   bool operator==(const WhatIfTotals&) const = default;
 };
 
+// A piece of memory that a kernel is given.
+struct BufferExtent {
+  std::uint64_t address = 0, bytes = 0;
+  bool operator==(const BufferExtent&) const = default;
+};
+
 // What an instruction is in the counts.
 struct WeightsUsed {
   bool sass = false;            // those of the machine code, replayed; else those of the PTX
@@ -109,6 +126,7 @@ struct WeightsUsed {
   std::string arch, ptxas;      // what it was assembled for, and the version that did
   std::string reason;           // why those of the PTX, where others were asked for
   std::uint64_t underived = 0;  // choices of lanes and warps that the traces do not tell: then the PTX counts
+  std::uint64_t registers = 0;  // of a lane, as ptxas gave them; 0: not known
   // Choices of lanes that were taken not to need the routines for rare operands (of a division, say).
   std::uint64_t fast_paths = 0;
   bool operator==(const WeightsUsed&) const = default;
@@ -117,18 +135,21 @@ struct WeightsUsed {
 struct LaunchCounters {
   std::string kernel;
   LaunchShape shape;
+  std::uint64_t shared_bytes = 0;  // of a work-group
+  std::vector<BufferExtent> buffers;
   std::uint32_t warp_width = 32;
   std::string policy;
   std::uint64_t warps = 0;
   WeightsUsed weights;  // of totals, lines and branches; blocks are those of the PTX
   Totals totals;
-  std::vector<LineTotals> lines;            // sorted by file, line
-  std::vector<BlockTotals> blocks;          // every block, in order
-  std::vector<BranchTotals> branches;       // by lane_slots_lost, largest first
-  std::uint64_t lane_slots_never_used = 0;  // warps that are not full from the start
-  std::vector<WhatIfTotals> what_if;        // in the order of the questions
-  std::vector<Diagnostic> diagnostics;      // what is wrong with the kernel, by its PTX
-  bool given_up = false;                    // too many work-items had to be stopped: not all work-groups ran
+  std::optional<FootprintCounters> footprint;  // where it was asked for
+  std::vector<LineTotals> lines;               // sorted by file, line
+  std::vector<BlockTotals> blocks;             // every block, in order
+  std::vector<BranchTotals> branches;          // by lane_slots_lost, largest first
+  std::uint64_t lane_slots_never_used = 0;     // warps that are not full from the start
+  std::vector<WhatIfTotals> what_if;           // in the order of the questions
+  std::vector<Diagnostic> diagnostics;         // what is wrong with the kernel, by its PTX
+  bool given_up = false;  // too many work-items had to be stopped: not all work-groups ran
 };
 
 }  // namespace warpgrain::profiler

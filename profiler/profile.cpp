@@ -8,11 +8,14 @@
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "core/error.hpp"
 #include "profiler/merge.hpp"
 #include "profiler/observers/blocks.hpp"
 #include "profiler/observers/branches.hpp"
+#include "profiler/observers/footprint.hpp"
 #include "profiler/observers/lines.hpp"
 #include "profiler/observers/totals.hpp"
 #include "profiler/observers/warp_counters.hpp"
@@ -41,26 +44,40 @@ unsigned n_threads(const ProfileOptions& options) {
   return options.threads != 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
 }
 
+// What else sees the work-groups of a launch.
+struct Others {
+  WhatIfRun* what_if = nullptr;
+  LaunchFootprint* footprint = nullptr;
+
+  // For one thread of the program.
+  std::vector<GroupVisitor*> new_visitors() const {
+    std::vector<GroupVisitor*> visitors;
+    if (what_if != nullptr) visitors.push_back(&what_if->new_visitor());
+    if (footprint != nullptr) visitors.push_back(&footprint->new_visitor());
+    return visitors;
+  }
+};
+
 // Merges the warps of each work-group, replays them where that is asked for, and shows the group to the other
-// visitor where there is one.
+// visitors.
 class MergingVisitor : public GroupVisitor {
  public:
   MergingVisitor(WarpMerger& merger, sass::WarpReplayer* replayer, std::uint32_t warp_width,
-                 GroupVisitor* other)
-      : merger_(merger), replayer_(replayer), warp_width_(warp_width), other_(other) {}
+                 std::vector<GroupVisitor*> others)
+      : merger_(merger), replayer_(replayer), warp_width_(warp_width), others_(std::move(others)) {}
   void visit(std::uint64_t group, std::span<const LaneTrace> lanes) override {
     merge_warps(merger_, lanes, warp_width_);
     if (replayer_ != nullptr)
       for (std::size_t first = 0; first < lanes.size(); first += warp_width_)
         replayer_->replay(lanes.subspan(first, std::min<std::size_t>(warp_width_, lanes.size() - first)));
-    if (other_ != nullptr) other_->visit(group, lanes);
+    for (GroupVisitor* other : others_) other->visit(group, lanes);
   }
 
  private:
   WarpMerger& merger_;
   sass::WarpReplayer* replayer_;
   std::uint32_t warp_width_;
-  GroupVisitor* other_;
+  std::vector<GroupVisitor*> others_;
 };
 
 // Runs the work-groups of one launch, on any number of threads at once.
@@ -136,34 +153,34 @@ class Launch {
 };
 
 WarpCounters run_observed(const KernelGraph& graph, Launch& launch, const ProfileOptions& options,
-                          WhatIfRun* what_if) {
+                          const Others& others) {
   WarpCounters counters(graph, options.warp_width);
   WarpCounterObserver counting(graph, counters);
   ObserverPair both(counting, *options.observer);
   both.launch_begins(graph);
   const auto merger = make_observed_merger(graph, options.policy, options.warp_width, both);
-  MergingVisitor visitor(*merger, nullptr, options.warp_width, what_if ? &what_if->new_visitor() : nullptr);
+  MergingVisitor visitor(*merger, nullptr, options.warp_width, others.new_visitors());
   launch.run_groups(visitor, true);
   launch.rethrow_error();
   return counters;
 }
 
 WarpCounters run_counted(const KernelGraph& graph, Launch& launch, const ProfileOptions& options,
-                         sass::LaunchReplay& replay, WhatIfRun* what_if) {
+                         sass::LaunchReplay& replay, const Others& others) {
   struct Thread {
     WarpCounters counters;
     sass::WarpReplayer* replayer;
-    GroupVisitor* other;
+    std::vector<GroupVisitor*> others;
   };
   std::vector<Thread> of_threads;
   for (std::uint64_t thread = 0; thread < std::min<std::uint64_t>(n_threads(options), launch.n_chunks());
        ++thread)
-    of_threads.push_back({WarpCounters(graph, options.warp_width), replay.new_replayer(),
-                          what_if ? &what_if->new_visitor() : nullptr});
+    of_threads.push_back(
+        {WarpCounters(graph, options.warp_width), replay.new_replayer(), others.new_visitors()});
   const auto work = [&](std::size_t thread) {
     const auto merger = make_counting_merger(graph, options.policy, of_threads[thread].counters);
     MergingVisitor visitor(*merger, of_threads[thread].replayer, options.warp_width,
-                           of_threads[thread].other);
+                           of_threads[thread].others);
     launch.run_groups(visitor, thread == 0);
   };
   {
@@ -192,17 +209,27 @@ LaunchCounters profile_launch(const Executable& executable, const LaunchShape& s
                                   options.trace_memory, options.skip_unknown_keys});
   Launch launch(executable, shape, arguments, options, what_if ? what_if->groups_a_chunk() : 1);
   sass::LaunchReplay replay(executable, options);
-  const WarpCounters counters =
-      options.observer != nullptr
-          ? run_observed(graph, launch, options, what_if ? &*what_if : nullptr)
-          : run_counted(graph, launch, options, replay, what_if ? &*what_if : nullptr);
+  std::optional<LaunchFootprint> footprint;
+  if (options.footprint && options.addresses) footprint.emplace(graph, arguments);
+  const Others others{what_if ? &*what_if : nullptr, footprint ? &*footprint : nullptr};
+  const WarpCounters counters = options.observer != nullptr
+                                    ? run_observed(graph, launch, options, others)
+                                    : run_counted(graph, launch, options, replay, others);
   LaunchCounters result;
   result.kernel = graph.kernel;
   result.shape = shape;
+  result.shared_bytes = graph.shared_bytes;
+  for (const KernelArgument& argument : arguments) {
+    result.shared_bytes += argument.local_bytes;
+    if (!argument.memory.empty())
+      result.buffers.push_back(
+          {reinterpret_cast<std::uint64_t>(argument.memory.data()), argument.memory.size()});
+  }
   result.warp_width = options.warp_width;
   result.policy = merge_policy_name(options.policy);
   result.warps = counters.warps;
   result.totals = launch_totals(graph, counters);
+  if (footprint) result.footprint = footprint->counters();
   result.lines = line_totals(graph, counters);
   result.blocks = block_totals(graph, counters);
   result.branches = branch_totals(graph, counters, source_lines);

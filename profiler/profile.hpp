@@ -33,6 +33,7 @@ struct ProfileOptions {
   MergePolicy policy = MergePolicy::loop_postdom;
   std::uint32_t warp_width = 32;  // 4 to 64, a power of two
   bool addresses = true;          // record addresses: sectors and lines
+  bool footprint = false;         // with addresses: also count the distinct sectors that are touched
   unsigned threads = 0;           // worker threads, 0 = all cores
   // Whether those who compile the kernel for the profile make it check its accesses.
   Checks checks = Checks::on;

@@ -64,23 +64,32 @@ Comparison compare(const std::vector<KernelQuantities>& base, const std::vector<
 
 OrderComparison compare_order(const SweepIndex& sweep, std::span<const MeasuredReport> measured) {
   OrderComparison order;
-  std::vector<double> predicted, medians;
+  std::vector<double> medians;
   std::vector<std::vector<double>> readings;
   for (const SweepCase& sweep_case : sweep.cases) {
     if (!sweep_case.headline) continue;
     const auto found = std::ranges::find_if(
         measured, [&](const MeasuredReport& m) { return m.step && m.variant == sweep_case.variant; });
     if (found == measured.end()) continue;
-    predicted.push_back(static_cast<double>(sweep_case.headline->warp_instructions));
     readings.push_back(found->step->seconds);
     medians.push_back(median(found->step->seconds));
-    order.rows.push_back({sweep_case.variant, predicted.back(), medians.back()});
+    order.rows.push_back({sweep_case.variant, static_cast<double>(sweep_case.headline->warp_instructions),
+                          sweep_case.headline->predicted_seconds, medians.back()});
   }
   if (order.rows.size() < 2)
     throw_input_error("--measured",
                       fmt::format("measured steps of {} of the sweep's variants", order.rows.size()),
                       "of two or more");
+  order.by_time =
+      std::ranges::all_of(order.rows, [](const auto& row) { return row.predicted_seconds.has_value(); });
+  std::vector<double> predicted;
+  for (const OrderComparison::Row& row : order.rows)
+    predicted.push_back(order.by_time ? *row.predicted_seconds : row.warp_instructions);
   order.tau = kendall_tau(predicted, medians);
+  if (order.by_time) {
+    order.error = prediction_error(predicted, medians);
+    order.left_out = leave_one_out(predicted, medians);
+  }
   if (std::ranges::all_of(readings, [](const auto& r) { return r.size() > 1; }))
     order.interval = kendall_interval(predicted, readings);
   return order;

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/prediction_error.hpp"
 #include "analysis/rank_correlation.hpp"
 #include "reports/generator.hpp"
 #include "reports/measured_report.hpp"
@@ -39,17 +40,22 @@ struct Difference {
   std::optional<double> relative() const;
 };
 
-// The order of a sweep's variants by what the simulator counted (warp instructions of a step), and by
-// measured time.
+// The order of a sweep's variants by what the simulator says, and by measured time. By predicted time where
+// every variant has one, else by the warp instructions of a step.
 struct OrderComparison {
   struct Row {
     std::string variant;
-    double predicted = 0;
+    double warp_instructions = 0;
+    std::optional<double> predicted_seconds;
     double seconds = 0;  // of a step, median
   };
   std::vector<Row> rows;
+  bool by_time = false;
   std::optional<double> tau;
   std::optional<TauInterval> interval;  // where every variant has several readings
+  // Of predicted times.
+  std::optional<PredictionError> error;
+  std::optional<LeftOut> left_out;
 };
 
 struct Comparison {

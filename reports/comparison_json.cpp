@@ -21,11 +21,21 @@ Json to_json(const Difference& difference) {
 Json to_json(const OrderComparison& order) {
   Json json;
   json["variants"] = Json::array();
-  for (const OrderComparison::Row& row : order.rows)
-    json["variants"].push_back(
-        {{"variant", row.variant}, {"warp_instructions", row.predicted}, {"seconds", row.seconds}});
+  for (const OrderComparison::Row& row : order.rows) {
+    Json variant{{"variant", row.variant}, {"warp_instructions", row.warp_instructions}};
+    if (row.predicted_seconds) variant["predicted_seconds"] = *row.predicted_seconds;
+    variant["seconds"] = row.seconds;
+    json["variants"].push_back(std::move(variant));
+  }
+  json["by"] = order.by_time ? "predicted_seconds" : "warp_instructions";
   if (order.tau) json["kendall_tau"] = *order.tau;
   if (order.interval) json["interval"] = {order.interval->lower, order.interval->upper};
+  if (order.error) json["time_error"] = {{"median", order.error->median}, {"largest", order.error->largest}};
+  if (order.left_out) {
+    const auto& [tau, error] = *order.left_out;
+    json["left_out"] = {{"kendall_tau", {tau.lower, tau.upper}},
+                        {"median_time_error", {error.lower, error.upper}}};
+  }
   return json;
 }
 

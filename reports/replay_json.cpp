@@ -12,6 +12,7 @@ nlohmann::ordered_json to_json(const profiler::WeightsUsed& weights) {
   if (!weights.ptxas.empty()) json["ptxas"] = weights.ptxas;
   if (!weights.reason.empty()) json["reason"] = weights.reason;
   json["underived_choices"] = weights.underived;
+  if (weights.registers != 0) json["registers"] = weights.registers;
   json["fast_paths_assumed"] = weights.fast_paths;
   return json;
 }
@@ -23,6 +24,7 @@ profiler::WeightsUsed weights_from(const JsonReader& place) {
           .ptxas = optional_string(place, "ptxas").value_or(""),
           .reason = optional_string(place, "reason").value_or(""),
           .underived = place.at("underived_choices").whole_number(),
+          .registers = place.has("registers") ? place.at("registers").whole_number() : 0,
           .fast_paths = place.at("fast_paths_assumed").whole_number()};
 }
 

@@ -39,11 +39,30 @@ std::vector<std::string> simulator_limits() {
   };
 }
 
+namespace {
+
+std::uint64_t bytes_of_buffers(std::span<const profiler::LaunchProfile> launches) {
+  std::vector<profiler::BufferExtent> buffers;
+  for (const profiler::LaunchProfile& launch : launches)
+    buffers.insert(buffers.end(), launch.counters.buffers.begin(), launch.counters.buffers.end());
+  std::ranges::sort(buffers, {}, &profiler::BufferExtent::address);
+  std::uint64_t bytes = 0, end = 0;
+  for (const profiler::BufferExtent& buffer : buffers) {
+    const std::uint64_t begin = std::max(buffer.address, end);
+    end = std::max(end, buffer.address + buffer.bytes);
+    bytes += end - std::min(begin, end);
+  }
+  return bytes;
+}
+
+}  // namespace
+
 Report make_report(std::span<const profiler::LaunchProfile> launches, std::string command_line) {
   Report report;
   report.generator = this_generator();
   report.command_line = std::move(command_line);
   report.weights = weights_of(launches);
+  report.buffer_bytes = bytes_of_buffers(launches);
   report.limits = simulator_limits();
   if (report.weights != "sass") report.limits.insert(report.limits.begin(), std::string(limit_of_ptx));
   if (report.weights != "ptx") report.limits.insert(report.limits.begin(), std::string(limit_of_sass));

@@ -43,6 +43,7 @@ struct Report {
   // What an instruction is: "ptx" as compiled, "sass" as ptxas made it, "mixed" where it depends on the
   // launch.
   std::string weights = "ptx";
+  std::uint64_t buffer_bytes = 0;      // of the buffers that the launches are given, each once
   std::vector<std::string> limits;     // what the counts do not say, in sentences
   std::vector<LaunchReport> launches;  // in the order of launching
 };

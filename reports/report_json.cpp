@@ -13,6 +13,7 @@
 #include "reports/diagnostics_json.hpp"
 #include "reports/json_fields.hpp"
 #include "reports/json_text.hpp"
+#include "reports/predicted_times.hpp"
 #include "reports/replay_json.hpp"
 
 namespace warpgrain::reports {
@@ -34,8 +35,25 @@ Json machine_json(const Machine& machine) {
     json[std::string(key.key)] = {{"value", value.value}, {"source", value.source}};
     if (key.whole) json[std::string(key.key)]["value"] = static_cast<std::uint64_t>(value.value);
   }
+  if (machine.cost)
+    for (const CostKey& key : cost_keys) {
+      const MachineValue& value = *machine.cost.*key.value;
+      json["cost"][std::string(key.key)] = {{"value", value.value}, {"source", value.source}};
+    }
   return json;
 }
+
+struct FootprintKey {
+  std::string_view key;
+  std::uint64_t profiler::FootprintCounters::*count;
+};
+constexpr std::array<FootprintKey, 6> footprint_keys{
+    {{"group_load_sectors", &profiler::FootprintCounters::group_load_sectors},
+     {"group_store_sectors", &profiler::FootprintCounters::group_store_sectors},
+     {"load_sectors", &profiler::FootprintCounters::load_sectors},
+     {"store_sectors", &profiler::FootprintCounters::store_sectors},
+     {"part_stored_sectors", &profiler::FootprintCounters::part_stored_sectors},
+     {"sectors", &profiler::FootprintCounters::sectors}}};
 
 Json sfu_json(const profiler::LaunchCounters& counters, const Machine& machine) {
   const SfuCost cost = sfu_cost(counters.totals, counters.warp_width, machine);
@@ -46,7 +64,14 @@ Json sfu_json(const profiler::LaunchCounters& counters, const Machine& machine) 
           {"share", cost.share()}};
 }
 
-Json launch_json(const LaunchReport& launch, const std::optional<Machine>& machine, bool with_text) {
+Json predicted_json(const PredictedTime& time) {
+  return {{"seconds", time.seconds}, {"start", time.start},
+          {"issue", time.issue},     {"sfu", time.sfu},
+          {"lines", time.lines},     {"memory", time.memory},
+          {"latency", time.latency}, {"resident_warps", time.resident_warps}};
+}
+
+Json launch_json(const Report& report, const LaunchReport& launch, bool with_text) {
   const profiler::LaunchCounters& counters = launch.counters;
   Json source{{"name", launch.source.name},
               {"hash", launch.source.hash},
@@ -58,6 +83,7 @@ Json launch_json(const LaunchReport& launch, const std::optional<Machine>& machi
   Json json{{"kernel", counters.kernel},
             {"global_size", counters.shape.global_size},
             {"local_size", counters.shape.local_size},
+            {"shared_bytes", counters.shared_bytes},
             {"warp_width", counters.warp_width},
             {"policy", counters.policy},
             {"replay", to_json(counters.weights)},
@@ -73,7 +99,11 @@ Json launch_json(const LaunchReport& launch, const std::optional<Machine>& machi
             {"ptx", ptx},
             {"source", source}};
   if (!counters.weights.asked) json.erase("replay");
-  if (machine) json["sfu"] = sfu_json(counters, *machine);
+  if (counters.footprint)
+    for (const FootprintKey& key : footprint_keys)
+      json["footprint"][std::string(key.key)] = *counters.footprint.*key.count;
+  if (report.machine) json["sfu"] = sfu_json(counters, *report.machine);
+  if (const auto predicted = predicted_time(report, launch)) json["predicted"] = predicted_json(*predicted);
   return json;
 }
 
@@ -110,11 +140,18 @@ LaunchReport launch_from(const JsonReader& place, Texts& texts) {
   counters.kernel = place.at("kernel").string();
   counters.shape.global_size = size_from<std::uint64_t>(place.at("global_size"));
   counters.shape.local_size = size_from<std::uint32_t>(place.at("local_size"));
+  // Older reports lack it.
+  if (const auto shared = place.maybe("shared_bytes")) counters.shared_bytes = shared->whole_number();
   counters.warp_width = warp_width_from(place.at("warp_width"));
   counters.policy = place.at("policy").string();
   if (const auto replay = place.maybe("replay")) counters.weights = weights_from(*replay);
   counters.warps = place.at("warps").whole_number();
   counters.totals = totals_from(place.at("totals"), counters.warp_width);
+  if (const auto footprint = place.maybe("footprint")) {
+    counters.footprint.emplace();
+    for (const FootprintKey& key : footprint_keys)
+      *counters.footprint.*key.count = footprint->at(key.key).whole_number();
+  }
   counters.lane_slots_never_used = place.at("lane_slots_never_used").whole_number();
   for (const JsonReader& branch : place.at("branches").elements())
     counters.branches.push_back(branch_from(branch));
@@ -149,12 +186,12 @@ std::string report_json(const Report& report) {
   if (report.step) json["step"] = *report.step;
   if (report.machine) json["machine"] = machine_json(*report.machine);
   json["weights"] = report.weights;
+  json["buffer_bytes"] = report.buffer_bytes;
   json["limits"] = report.limits;
   json["launches"] = Json::array();
   std::set<std::string> written;
   for (const LaunchReport& launch : report.launches)
-    json["launches"].push_back(
-        launch_json(launch, report.machine, written.insert(launch.source.hash).second));
+    json["launches"].push_back(launch_json(report, launch, written.insert(launch.source.hash).second));
   return json_text(json, "report");
 }
 
@@ -169,6 +206,8 @@ Report read_report(const std::filesystem::path& file) {
   report.step = optional_whole_number(root, "step");
   if (const auto machine = root.maybe("machine")) report.machine = machine_from(*machine);
   report.weights = root.at("weights").string();
+  // Older reports lack it.
+  report.buffer_bytes = optional_whole_number(root, "buffer_bytes").value_or(0);
   for (const JsonReader& limit : root.at("limits").elements()) report.limits.push_back(limit.string());
   Texts texts;
   for (const JsonReader& launch : root.at("launches").elements())

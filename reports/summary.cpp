@@ -6,6 +6,8 @@
 #include <tuple>
 #include <utility>
 
+#include "reports/predicted_times.hpp"
+
 namespace warpgrain::reports {
 namespace {
 
@@ -82,6 +84,14 @@ void add(LaunchCounters& sum, const LaunchCounters& more) {
   add_answers(sum.what_if, more.what_if);
 }
 
+void add(std::optional<PredictedTime>& sum, const std::optional<PredictedTime>& more) {
+  if (!sum || !more) return sum.reset();
+  for (double PredictedTime::*part :
+       {&PredictedTime::start, &PredictedTime::issue, &PredictedTime::sfu, &PredictedTime::lines,
+        &PredictedTime::memory, &PredictedTime::latency, &PredictedTime::seconds})
+    *sum.*part += *more.*part;
+}
+
 double ratio(double numerator, double denominator) { return denominator == 0 ? 0 : numerator / denominator; }
 
 }  // namespace
@@ -115,10 +125,11 @@ std::vector<KernelSummary> kernels_of(const Report& report) {
              k.counters.warp_width == counters.warp_width && k.counters.policy == counters.policy;
     });
     if (same == kernels.end()) {
-      kernels.push_back({1, counters, &launch.source});
+      kernels.push_back({1, counters, &launch.source, predicted_time(report, launch)});
     } else {
       ++same->launches;
       add(same->counters, counters);
+      add(same->predicted, predicted_time(report, launch));
     }
   }
   std::stable_sort(kernels.begin(), kernels.end(), [](const KernelSummary& a, const KernelSummary& b) {
@@ -128,7 +139,7 @@ std::vector<KernelSummary> kernels_of(const Report& report) {
 }
 
 Headline headline_of(const LaunchCounters& counters) {
-  return headline_of({KernelSummary{1, counters, nullptr}});
+  return headline_of({KernelSummary{1, counters, nullptr, std::nullopt}});
 }
 
 Headline headline_of(const std::vector<KernelSummary>& kernels) {
@@ -145,6 +156,8 @@ Headline headline_of(const std::vector<KernelSummary>& kernels) {
     loads.requests += totals.global_load.requests;
     loads.sectors += totals.global_load.sectors;
     lane_slots += static_cast<double>(totals.warp_instructions) * kernel.counters.warp_width;
+    if (kernel.predicted)
+      sum.predicted_seconds = sum.predicted_seconds.value_or(0) + kernel.predicted->seconds;
   }
   const auto lanes = static_cast<double>(sum.thread_instructions);
   sum.active_lanes = ratio(lanes, static_cast<double>(sum.warp_instructions));

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/cost_model.hpp"
 #include "reports/report.hpp"
 
 namespace warpgrain::reports {
@@ -21,7 +22,8 @@ struct Headline {
   std::uint64_t branches = 0;
   std::uint64_t divergent_branches = 0;
   std::uint64_t sfu_instructions = 0;
-  std::optional<double> sectors_per_load;  // none when there was no global load
+  std::optional<double> sectors_per_load;   // none when there was no global load
+  std::optional<double> predicted_seconds;  // by the cost model, where the machine has constants for it
   // The kernel with the most warp instructions: the means over a step hide where it spends its time.
   struct Heaviest {
     std::string kernel;
@@ -37,6 +39,9 @@ struct KernelSummary {
   std::size_t launches = 0;
   profiler::LaunchCounters counters;   // summed; `shape` is the first launch's
   const SourceText* source = nullptr;  // in the report
+  // Of all launches together, the parts too; resident warps are the first launch's. Where there is a
+  // prediction.
+  std::optional<PredictedTime> predicted;
 
   // Lane slots in which a lane idled: warp_width * warp_instructions - thread_instructions.
   std::uint64_t lane_slots_lost() const;

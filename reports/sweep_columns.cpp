@@ -33,6 +33,10 @@ Value sectors_per_load(const SweepCase& c) {
   return c.headline ? c.headline->sectors_per_load : std::nullopt;
 }
 
+Value predicted_seconds(const SweepCase& c) {
+  return c.headline ? c.headline->predicted_seconds : std::nullopt;
+}
+
 Value seconds_per_step(const SweepCase& c) {
   const BackendReading* reading = reading_of(c, "opencl");
   return reading ? reading->seconds_per_step : std::nullopt;
@@ -82,6 +86,8 @@ constexpr SweepColumn columns[] = {
      sfu_instructions},
     {"sectors/load", "32-byte sectors a global load touches on average", false, fixed<sectors_per_load, 2>,
      sectors_per_load},
+    {"predicted step", "time of a step by the cost model, on the machine that --machine names", false,
+     seconds<predicted_seconds>, predicted_seconds},
     {"time/step", "median wall time of a step on the opencl back end", false, seconds<seconds_per_step>,
      seconds_per_step},
     {"max error", "largest force error against the double reference, of the largest force", false,
@@ -92,7 +98,12 @@ constexpr SweepColumn columns[] = {
 
 }  // namespace
 
-std::span<const SweepColumn> sweep_columns() { return columns; }
+std::vector<SweepColumn> sweep_columns(const SweepIndex& index) {
+  std::vector<SweepColumn> shown(std::begin(columns), std::end(columns));
+  if (std::ranges::none_of(index.cases, [](const SweepCase& c) { return predicted_seconds(c).has_value(); }))
+    std::erase_if(shown, [](const SweepColumn& column) { return column.value == predicted_seconds; });
+  return shown;
+}
 
 std::vector<std::string> notes_of(const SweepIndex& index) {
   std::vector<std::string> notes;

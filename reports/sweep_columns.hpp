@@ -2,9 +2,9 @@
 // The columns of a sweep's table, the same on a terminal and on a page.
 
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "reports/sweep_index.hpp"
 
@@ -19,8 +19,8 @@ struct SweepColumn {
   std::optional<double> (*value)(const SweepCase&);
 };
 
-// All but the first column, which is the variant's name.
-std::span<const SweepColumn> sweep_columns();
+// All but the first column, which is the variant's name. Predicted times stand there where a case has one.
+std::vector<SweepColumn> sweep_columns(const SweepIndex& index);
 
 // What the table does not spell out, each once: which kernels are the heaviest, and "opencl: <device>" of the
 // back ends.

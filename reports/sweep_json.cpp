@@ -21,6 +21,7 @@ Json to_json(const Headline& headline) {
             {"divergent_branches", headline.divergent_branches},
             {"sfu_instructions", headline.sfu_instructions}};
   if (headline.sectors_per_load) json["sectors_per_load"] = *headline.sectors_per_load;
+  if (headline.predicted_seconds) json["predicted_seconds"] = *headline.predicted_seconds;
   json["heaviest_kernel"] = {{"kernel", headline.heaviest_kernel.kernel},
                              {"share", headline.heaviest_kernel.share},
                              {"simt_efficiency", headline.heaviest_kernel.simt_efficiency}};
@@ -37,6 +38,7 @@ Headline headline_from(const JsonReader& place) {
           .divergent_branches = place.at("divergent_branches").whole_number(),
           .sfu_instructions = place.at("sfu_instructions").whole_number(),
           .sectors_per_load = optional_number(place, "sectors_per_load"),
+          .predicted_seconds = optional_number(place, "predicted_seconds"),
           .heaviest_kernel = {heaviest.at("kernel").string(), heaviest.at("share").number(),
                               heaviest.at("simt_efficiency").number()}};
 }

@@ -30,12 +30,13 @@ std::string markdown_cell(std::string_view text) {
 }  // namespace
 
 std::string csv_sweep(const SweepIndex& index) {
+  const std::vector<SweepColumn> columns = sweep_columns(index);
   std::set<std::string> axes;
   for (const SweepCase& sweep_case : index.cases)
     for (const auto& [axis, value] : sweep_case.axes) axes.insert(axis);
   std::string text = "variant,status";
   for (const std::string& axis : axes) text += "," + csv_cell(axis);
-  for (const SweepColumn& column : sweep_columns()) text += "," + csv_cell(column.heading);
+  for (const SweepColumn& column : columns) text += "," + csv_cell(column.heading);
   text += '\n';
   for (const SweepCase& sweep_case : index.cases) {
     text += fmt::format("{},{}", csv_cell(sweep_case.variant), case_status_name(sweep_case.status));
@@ -43,7 +44,7 @@ std::string csv_sweep(const SweepIndex& index) {
       const auto value = sweep_case.axes.find(axis);
       text += "," + (value == sweep_case.axes.end() ? std::string() : csv_cell(value->second));
     }
-    for (const SweepColumn& column : sweep_columns()) {
+    for (const SweepColumn& column : columns) {
       const std::optional<double> value = column.value(sweep_case);
       text += value ? fmt::format(",{}", *value) : ",";
     }
@@ -53,15 +54,15 @@ std::string csv_sweep(const SweepIndex& index) {
 }
 
 std::string markdown_sweep(const SweepIndex& index) {
+  const std::vector<SweepColumn> columns = sweep_columns(index);
   std::string text = fmt::format("{}\n\n| variant |", title_of(index));
-  for (const SweepColumn& column : sweep_columns())
-    text += fmt::format(" {} |", markdown_cell(column.heading));
+  for (const SweepColumn& column : columns) text += fmt::format(" {} |", markdown_cell(column.heading));
   text += "\n|---|";
-  for (std::size_t k = 0; k < sweep_columns().size(); ++k) text += "---:|";
+  for (std::size_t k = 0; k < columns.size(); ++k) text += "---:|";
   text += '\n';
   for (const SweepCase& sweep_case : index.cases) {
     text += fmt::format("| `{}` |", markdown_cell(sweep_case.variant));
-    for (const SweepColumn& column : sweep_columns())
+    for (const SweepColumn& column : columns)
       text += fmt::format(" {} |", markdown_cell(column.text(sweep_case)));
     text += '\n';
   }

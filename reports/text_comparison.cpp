@@ -21,15 +21,36 @@ std::string relative_text(const Difference& difference) {
 }
 
 std::string order_text(const OrderComparison& order) {
-  TextTable table({{"variant", TextTable::Align::left}, {"warp instructions"}, {"step"}});
+  TextTable table({{"variant", TextTable::Align::left},
+                   {"warp instructions"},
+                   {"predicted step"},
+                   {"step"},
+                   {"difference"}});
   for (const OrderComparison::Row& row : order.rows)
-    table.add_row({row.variant, value_text("", row.predicted), seconds_text(row.seconds)});
+    table.add_row(
+        {row.variant, value_text("", row.warp_instructions),
+         row.predicted_seconds ? seconds_text(*row.predicted_seconds) : "-", seconds_text(row.seconds),
+         row.predicted_seconds ? fmt::format("{:+.1f} %", 100 * (*row.predicted_seconds / row.seconds - 1))
+                               : "-"});
   std::string text = table.text();
-  text += order.tau ? fmt::format("Kendall's tau: {:.3f}", *order.tau) : std::string("Kendall's tau: none");
+  text += fmt::format("Kendall's tau of {}: ", order.by_time ? "predicted times" : "warp instructions");
+  text += order.tau ? fmt::format("{:.3f}", *order.tau) : std::string("none");
   if (order.interval)
     text += fmt::format(", 95 % of draws of the readings from {:.3f} to {:.3f}", order.interval->lower,
                         order.interval->upper);
-  return text + '\n';
+  if (order.left_out)
+    text += fmt::format("; without any one variant {:.3f} to {:.3f}", order.left_out->tau.lower,
+                        order.left_out->tau.upper);
+  text += '\n';
+  if (order.error) {
+    text += fmt::format("error of predicted times: median {:.1f} %, largest {:.1f} %",
+                        100 * order.error->median, 100 * order.error->largest);
+    if (order.left_out)
+      text += fmt::format("; median without any one variant {:.1f} to {:.1f} %",
+                          100 * order.left_out->median_error.lower, 100 * order.left_out->median_error.upper);
+    text += '\n';
+  }
+  return text;
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "analysis/sfu_cost.hpp"
 #include "reports/diagnostic_summary.hpp"
 #include "reports/number_text.hpp"
+#include "reports/predicted_times.hpp"
 #include "reports/summary.hpp"
 #include "reports/text_table.hpp"
 #include "reports/weights_text.hpp"
@@ -159,6 +160,7 @@ std::string text_report(const Report& report, const TextReportOptions& options) 
   std::string text = title_of(report) + "\n\n" + kernel_table(report, kernels);
   for (const std::string& line : weights_lines(report)) text += fmt::format("instructions: {}\n", line);
   if (report.machine) text += sfu_table(*report.machine, kernels);
+  text += predicted_table(report, kernels);
   for (std::size_t k = 0; k < std::min(kernels.size(), options.kernels); ++k) {
     const KernelSummary& kernel = kernels[k];
     if (const std::string losses = loss_list(kernel, options.causes); !losses.empty())

@@ -22,8 +22,9 @@ class CudaLaunch {
              const profiler::LaunchShape& shape, std::span<const profiler::KernelArgument> arguments,
              std::string_view where);
 
-  // Gives the buffers their first contents, runs the kernel and waits for it. Seconds on the device's clock.
-  double run();
+  // Gives the buffers their first contents, runs the kernel `times` times in a row, each over what the one
+  // before left, and waits for the last. Seconds on the device's clock, of all together.
+  double run(unsigned times = 1);
   // The same for a profiler, which sees the kernel alone.
   void run_marked();
   // What argument `k`, a buffer, holds now. [its size]

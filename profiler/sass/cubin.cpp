@@ -81,6 +81,27 @@ class ElfFile {
   std::vector<Section> sections_;
 };
 
+// The attribute of the section ".nv.info" that says how many registers the function of a symbol needs: a byte
+// for the form (a value of so many bytes), one for the attribute, two for the size, then symbol and count.
+// Seen in what ptxas writes; it prints the same number with -v.
+constexpr std::uint8_t sized_value = 4, register_count = 0x2F;
+
+std::uint32_t registers_of(const ElfFile& elf, std::string_view entry) {
+  const std::string_view info = elf.section(".nv.info"), symbols = elf.section(".symtab"),
+                         names = elf.section(".strtab");
+  for (std::uint64_t at = 0; at + 4 <= info.size();) {
+    const auto form = read_at<std::uint8_t>(info, at), attribute = read_at<std::uint8_t>(info, at + 1);
+    const std::uint64_t size = form == sized_value ? read_at<std::uint16_t>(info, at + 2) : 0;
+    if (form == sized_value && attribute == register_count) {
+      const std::uint64_t symbol = read_at<std::uint32_t>(info, at + 4);
+      if (text_at(names, read_at<std::uint32_t>(symbols, symbol * 24)) == entry)
+        return read_at<std::uint32_t>(info, at + 8);
+    }
+    at += 4 + size;
+  }
+  return 0;
+}
+
 }  // namespace
 
 KernelCode read_kernel_code(std::string_view cubin, std::string_view entry) {
@@ -90,6 +111,7 @@ KernelCode read_kernel_code(std::string_view cubin, std::string_view entry) {
   code.text = elf.section(section);
   if (code.text.empty() || code.text.size() % 16 != 0)
     throw_input_error("cubin", fmt::format("no code of '{}'", entry), "a kernel of the module");
+  code.registers = registers_of(elf, entry);
   const std::string_view table = elf.section(fmt::format(".nv.constant2.{}", entry));
   for (std::size_t at = 0; at + 4 <= table.size(); at += 4)
     code.branch_table.push_back(read_at<std::uint32_t>(table, at));

@@ -17,6 +17,7 @@ struct LineRow {
 struct KernelCode {
   std::string text;                         // 16 bytes an instruction
   std::vector<LineRow> lines;               // by address; empty without a line table
+  std::uint32_t registers = 0;              // of a lane; 0 where the file does not say
   std::vector<std::uint32_t> branch_table;  // of the constant bank 2
 };
 

@@ -69,6 +69,7 @@ void LaunchReplay::prepare(const Executable& executable, const ProfileOptions& o
   used_.arch = options.weights.arch;
   used_.ptxas = ptxas->version;
   kernel_ = assemble_kernel(*ptxas, executable.ptx(), executable.graph(), options.weights.arch);
+  used_.registers = kernel_->registers;
 }
 
 WarpReplayer* LaunchReplay::new_replayer() {

@@ -46,8 +46,11 @@ class CubinCache {
 
 }  // namespace
 
-MachineKernel::MachineKernel(CodeGraph machine_code, const KernelGraph& graph)
-    : code(std::move(machine_code)), decisions(graph), plan(make_plan(code, decisions)) {}
+MachineKernel::MachineKernel(CodeGraph machine_code, const KernelGraph& graph, std::uint32_t n_registers)
+    : registers(n_registers),
+      code(std::move(machine_code)),
+      decisions(graph),
+      plan(make_plan(code, decisions)) {}
 
 unsigned architecture_number(std::string_view arch) {
   constexpr std::string_view prefix = "sm_";
@@ -72,7 +75,7 @@ std::unique_ptr<MachineKernel> assemble_kernel(const Ptxas& ptxas, std::string_v
   if (code.text != read_kernel_code(cubins->plain, graph.entry).text)
     throw_input_error(graph.kernel, "other machine code with lines than without", "the same");
   if (code.lines.empty()) throw_input_error(graph.kernel, "machine code without lines", "a line table");
-  return std::make_unique<MachineKernel>(cut_code(code, number), graph);
+  return std::make_unique<MachineKernel>(cut_code(code, number), graph, code.registers);
 }
 
 }  // namespace warpgrain::profiler::sass

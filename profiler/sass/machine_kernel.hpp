@@ -14,8 +14,9 @@
 namespace warpgrain::profiler::sass {
 
 struct MachineKernel {
-  MachineKernel(CodeGraph machine_code, const KernelGraph& graph);
+  MachineKernel(CodeGraph machine_code, const KernelGraph& graph, std::uint32_t n_registers);
 
+  std::uint32_t registers;  // of a lane; 0 where the assembler does not say
   CodeGraph code;
   PtxDecisions decisions;
   ReplayPlan plan;

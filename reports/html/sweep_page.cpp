@@ -33,7 +33,8 @@ html::Cell value_cell(const SweepColumn& column, const SweepCase& sweep_case, do
 html::Table table_of(const SweepIndex& index) {
   std::vector<html::Table::Column> columns{{"variant", "", true}};
   std::vector<std::pair<double, double>> ranges;  // one a column
-  for (const SweepColumn& column : sweep_columns()) {
+  const std::vector<SweepColumn> shown = sweep_columns(index);
+  for (const SweepColumn& column : shown) {
     columns.push_back({std::string(column.heading), std::string(column.explanation)});
     std::vector<double> values;
     for (const SweepCase& sweep_case : index.cases)
@@ -45,7 +46,7 @@ html::Table table_of(const SweepIndex& index) {
   for (const SweepCase& sweep_case : index.cases) {
     std::vector<html::Cell> row{variant_cell(sweep_case)};
     for (std::size_t c = 0; c < ranges.size(); ++c)
-      row.push_back(value_cell(sweep_columns()[c], sweep_case, ranges[c].first, ranges[c].second));
+      row.push_back(value_cell(shown[c], sweep_case, ranges[c].first, ranges[c].second));
     table.add_row(row);
   }
   return table;
@@ -67,7 +68,7 @@ std::string sweep_page(const SweepIndex& index) {
       "its meaning.</p>\n{}",
       html::escape(title), table_of(index).html());
   body += "<h2>Columns</h2>\n<dl>\n";
-  for (const SweepColumn& column : sweep_columns())
+  for (const SweepColumn& column : sweep_columns(index))
     body += fmt::format("<dt>{}</dt><dd>{}</dd>\n", html::escape(column.heading),
                         html::escape(column.explanation));
   body += "</dl>\n";

@@ -69,6 +69,19 @@ TEST(Machine, RefusesWhatIsNone) {
   EXPECT_THAT(refusal("{ \"format\"", "{ \"watts\": 3, \"format\""), HasSubstr("watts"));
 }
 
+TEST(Machine, CostConstantsAreAllThereOrNone) {
+  EXPECT_FALSE(load_machine("fermi_c2050").cost);
+  const Machine h100 = load_machine("hopper_h100");
+  ASSERT_TRUE(h100.cost);
+  for (const CostKey& key : cost_keys) {
+    EXPECT_GT((*h100.cost.*key.value).value, 0) << key.key;
+    EXPECT_GT((*h100.cost.*key.value).source.size(), 10u) << key.key;
+  }
+  EXPECT_THAT(refusal("{ \"format\"", R"({ "cost": { "warps": { "value": 1, "source": "s" } }, "format")"),
+              HasSubstr("m.json: cost: 'work_groups' is missing"));
+  EXPECT_THAT(refusal("{ \"format\"", R"({ "cost": { "warp": 1 }, "format")"), HasSubstr("m.json: cost: "));
+}
+
 TEST(Machine, UnknownNamesAreAnsweredWithThoseThatShip) {
   try {
     load_machine("c2050");

@@ -85,7 +85,16 @@ TEST(Comparison, SweepsAreOrdered) {
   EXPECT_NEAR(order.interval->lower, 1.0 / 3, 1e-12);
   Comparison comparison;
   comparison.order = order;
-  EXPECT_THAT(text_comparison(comparison), HasSubstr("Kendall's tau: 0.333"));
+  EXPECT_THAT(text_comparison(comparison), HasSubstr("Kendall's tau of warp instructions: 0.333"));
+  EXPECT_FALSE(order.error) << "counts are no times";
+
+  for (const auto& [k, seconds] : {std::pair{0u, 2e-3}, {1u, 1.5e-3}, {2u, 5e-3}})
+    sweep.cases[k].headline->predicted_seconds = seconds;
+  comparison.order = compare_order(sweep, measured);
+  EXPECT_DOUBLE_EQ(*comparison.order->tau, 1);
+  EXPECT_NEAR(comparison.order->error->largest, 1.5 / 1.05 - 1, 1e-9) << "of the median reading, 1.05 ms";
+  EXPECT_THAT(text_comparison(comparison), HasSubstr("Kendall's tau of predicted times: 1.000"));
+  EXPECT_THAT(comparison_json(comparison), HasSubstr("\"median_time_error\""));
   measured.resize(1);
   EXPECT_THROW(compare_order(sweep, measured), InputError);
 }

@@ -86,6 +86,25 @@ TEST(Documents, ReportsSayWhatSpecialFunctionsCostOnTheMachine) {
   EXPECT_FALSE(Json::parse(report_json(report))["launches"][0].contains("sfu"));
 }
 
+TEST(Documents, ReportsPredictTimesOnMachinesWithConstants) {
+  Report report = sample::report();
+  EXPECT_FALSE(Json::parse(report_json(report))["launches"][0].contains("predicted"));
+  EXPECT_FALSE(headline_of(kernels_of(report)).predicted_seconds);
+  report.machine = load_machine("hopper_h100");
+  const Json json = Json::parse(report_json(report));
+  double sum = 0;
+  for (const Json& launch : json["launches"]) sum += launch["predicted"]["seconds"].get<double>();
+  EXPECT_GT(json["launches"][0]["predicted"]["seconds"], json["launches"][0]["predicted"]["start"]);
+  EXPECT_DOUBLE_EQ(*headline_of(kernels_of(report)).predicted_seconds, sum);
+  // A launch of its own has nothing before it that hides its start.
+  report.scene.reset();
+  EXPECT_GT(Json::parse(report_json(report))["launches"][0]["predicted"]["start"],
+            json["launches"][0]["predicted"]["start"]);
+  const TemporaryFolder folder;
+  write_file_atomically(folder / "r.json", report_json(report));
+  EXPECT_EQ(report_json(read_report(folder / "r.json")), report_json(report));
+}
+
 TEST(Documents, AnswersHoldWhatIsKnown) {
   const Json what_if = Json::parse(report_json(sample::report()))["launches"][0]["what_if"];
   EXPECT_TRUE(what_if[0]["totals"].contains("global_load_sectors"));

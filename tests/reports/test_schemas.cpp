@@ -67,8 +67,11 @@ TEST(Schemas, ReportsAsWrittenAreValid) {
   bare.particles.reset();
   bare.step.reset();
   bare.machine.reset();
-  expect_valid("report-1.schema.json",
-               {{"of a scene", report_json(sample::report())}, {"of a launch file", report_json(bare)}});
+  Report predicted = sample::report();
+  predicted.machine = load_machine("hopper_h100");
+  expect_valid("report-1.schema.json", {{"of a scene", report_json(sample::report())},
+                                        {"of a launch file", report_json(bare)},
+                                        {"with predicted times", report_json(predicted)}});
 }
 
 TEST(Schemas, BrokenReportsAreRefused) {
@@ -145,9 +148,17 @@ TEST(Schemas, Comparisons) {
                                   {{"k", {{"warp_instructions", 5}, {"branches", 2}}}}, {});
   comparison.generator = this_generator();
   const std::string kernels = comparison_json(comparison);
-  comparison.order = OrderComparison{{{"x", 1, 2}, {"y", 3, 4}}, 1, TauInterval{-1, 1}};
+  comparison.order.emplace();
+  comparison.order->rows = {{"x", 1, {}, 2}, {"y", 3, {}, 4}};
+  comparison.order->tau = 1;
+  comparison.order->interval = TauInterval{-1, 1};
+  const std::string by_count = comparison_json(comparison);
+  comparison.order->rows = {{"x", 1, 2.5, 2}, {"y", 3, 4.5, 4}};
+  comparison.order->by_time = true;
+  comparison.order->error = PredictionError{0.1, 0.2};
+  comparison.order->left_out = LeftOut{{-1, 1}, {0.1, 0.2}};
   expect_valid("comparison-1.schema.json",
-               {{"of kernels", kernels}, {"of a sweep", comparison_json(comparison)}});
+               {{"of kernels", kernels}, {"of a sweep", by_count}, {"by time", comparison_json(comparison)}});
   expect_refused("comparison-1.schema.json", comparison_json(comparison),
                  {{"a tau of 2", "$.order.kendall_tau", [](Json& d) { d["order"]["kendall_tau"] = 2; }},
                   {"no metric", "$.differences[0]", [](Json& d) { d["differences"][0].erase("metric"); }}});

@@ -71,12 +71,13 @@ TEST(TableFiles, CsvHasARowACaseAndFullNumbers) {
   EXPECT_THAT(text, HasSubstr("\n\"with, comma and \"\"quotes\"\"\",failed,"));
   const std::string header = text.substr(0, text.find('\n'));
   EXPECT_EQ(static_cast<std::size_t>(std::count(header.begin(), header.end(), ',')) + 1,
-            2 + index.cases[0].axes.size() + sweep_columns().size());
+            2 + index.cases[0].axes.size() + sweep_columns(index).size());
 }
 
 TEST(TableFiles, MarkdownHasTheTerminalsColumns) {
   const std::string text = markdown_sweep(sample::sweep());
-  for (const SweepColumn& column : sweep_columns()) EXPECT_THAT(text, HasSubstr(std::string(column.heading)));
+  for (const SweepColumn& column : sweep_columns(sample::sweep()))
+    EXPECT_THAT(text, HasSubstr(std::string(column.heading)));
   EXPECT_THAT(text, HasSubstr("| `" + sample::sweep().cases[0].variant + "` |"));
 }
 
