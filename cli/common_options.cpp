@@ -78,6 +78,7 @@ void DeviceOptions::add_to(CLI::App& command) {
   add_option(command, "--device", device);
   add_option(command, "--threads", threads);
   add_option(command, "--kernels", kernels);
+  add_option(command, "--compiler", compiler);
 }
 
 BackendOptions DeviceOptions::backend_options() const {
@@ -85,6 +86,15 @@ BackendOptions DeviceOptions::backend_options() const {
   options.device = device;
   options.threads = threads;
   options.kernel_folder = kernels;
+  options.compiler = kernel_compiler(compiler, "--compiler");
+  return options;
+}
+
+BackendOptions DeviceOptions::backend_options(std::string_view backend) const {
+  const BackendOptions options = backend_options();
+  if (options.compiler != KernelCompiler::clang && backend != "cuda" && backend != "simt")
+    throw_input_error("--compiler", fmt::format("{} on the back end {}", compiler, backend),
+                      "--backend cuda or simt, which take PTX");
   return options;
 }
 

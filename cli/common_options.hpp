@@ -66,9 +66,13 @@ struct DeviceOptions {
   std::string device;
   unsigned threads = 0;
   std::string kernels;
+  std::string compiler = "clang";
 
   void add_to(CLI::App& command);
+  // Throws InputError for a compiler that there is not.
   BackendOptions backend_options() const;
+  // For a call that runs on that back end alone, which has to be one that takes PTX where --compiler stands.
+  BackendOptions backend_options(std::string_view backend) const;
 };
 
 struct OutputOptions {

@@ -56,6 +56,7 @@ std::vector<std::string> marked_call(const Options& options, const Scene* scene,
   add("--variant", variant->name());
   add("--backend", options.step.backend);
   add("--kernels", options.device.kernels);
+  add("--compiler", options.device.compiler);
   add("--steps", "1");
   add("--at-step", fmt::format("{}", options.step.at_step));
   return words;
@@ -67,7 +68,7 @@ reports::MeasuredReport measured_scene(Options& options) {
   if (options.counters && options.step.backend != "cuda")
     throw_input_error("--counters", fmt::format("--backend {}", options.step.backend),
                       "--backend cuda: Nsight Compute counts no other");
-  options.step.options = options.device.backend_options();
+  options.step.options = options.device.backend_options(options.step.backend);
   options.step.warm_up = options.launch.warm_up;
   options.step.repeats = options.launch.repeats;
   options.step.mark = options.launch.mark;

@@ -49,7 +49,7 @@ int run(const RunOptions& options) {
   if (const std::string warning = time_step_warning(scene.time_step, limits); !warning.empty())
     std::cerr << "warning: " << warning << '\n';
   if (!options.vtk_folder.empty()) make_folder(options.vtk_folder);
-  const auto simulation = chosen_backend.create(scene, variant, options.device.backend_options());
+  const auto simulation = chosen_backend.create(scene, variant, options.device.backend_options(chosen_backend.name));
 
   reports::RunReport report;
   report.generator = reports::this_generator();

@@ -25,7 +25,12 @@
 #ifndef WARPGRAIN_LAYOUT_H
 #define WARPGRAIN_LAYOUT_H
 
-#ifdef __cplusplus
+// Of a host: CUDA C++ is a device's.
+#if defined(__cplusplus) && !defined(__CUDACC__)
+#define LAYOUT_OF_HOST
+#endif
+
+#ifdef LAYOUT_OF_HOST
 #include <cstdint>
 #define LAYOUT_STRUCT(name) \
   template <class real>     \
@@ -50,7 +55,7 @@ namespace warpgrain::layout {
 #endif
 
 LAYOUT_STRUCT(Triple) { real x, y, z; };
-#ifndef __cplusplus
+#ifndef LAYOUT_OF_HOST
 typedef struct {
   coordinate x, y, z;
 } PlaceTriple;
@@ -96,7 +101,7 @@ LAYOUT_STRUCT(FixedWallLayout) {
   LAYOUT_UINT material;
 };
 
-#ifdef __cplusplus
+#ifdef LAYOUT_OF_HOST
 }  // namespace warpgrain::layout
 #endif
 

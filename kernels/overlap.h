@@ -39,7 +39,7 @@ DEVICE_FUNCTION Distance distance_of(real square) {
 // (high, low) -= x * x
 DEVICE_FUNCTION void subtract_square(real x, real* high, real* low) {
   FP_CONTRACT_OFF
-  const real square = x * x;
+  const real square = rounded_product(x, x);
   const real rest_of_square = fma(x, x, -square);
   const real difference = *high - square;
   *low += ((*high - difference) - square) - rest_of_square;
@@ -51,7 +51,7 @@ DEVICE_FUNCTION void subtract_square(real x, real* high, real* low) {
 DEVICE_FUNCTION real overlap_of_spheres(real3 separation, Distance distance, real reach) {
 #if REAL_BITS == 32
   FP_CONTRACT_OFF
-  real high = distance.value * distance.value;
+  real high = rounded_product(distance.value, distance.value);
   real low = fma(distance.value, distance.value, -high);
   subtract_square(separation.x, &high, &low);
   subtract_square(separation.y, &high, &low);

@@ -2,8 +2,10 @@
 #ifndef WARPGRAIN_PRELUDE_H
 #define WARPGRAIN_PRELUDE_H
 
-#ifdef __OPENCL_C_VERSION__
+#if defined(__OPENCL_C_VERSION__)
 #include "prelude_opencl.h"
+#elif defined(__CUDACC__)
+#include "prelude_cuda.h"
 #endif
 #include "layout.h"
 

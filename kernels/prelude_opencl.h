@@ -35,6 +35,7 @@ typedef real4 Place;
 #define GLOBAL __global
 #define CONSTANT __constant
 #define LOCAL __local
+#define LOCAL_POINTER __local  // to such memory, as a function's parameter
 // Always inlined: a law is called from two kernels, and neither may pay for a call.
 #define DEVICE_FUNCTION static inline __attribute__((always_inline))
 // First in a body: products and sums round one by one.
@@ -53,6 +54,7 @@ typedef real4 Place;
 #define xyz(v) ((v).xyz)
 
 #define rounded_to_long(x) convert_long_rte(x)
+#define rounded_product(a, b) ((a) * (b))  // never part of a multiply-add: in functions with FP_CONTRACT_OFF
 // Atomics on integers of 64 bits, for searches that need them: Search::needs_long_atomics.
 #ifdef EACH_PAIR_ONCE
 #pragma OPENCL EXTENSION cl_khr_int64_base_atomics : enable

@@ -13,6 +13,7 @@
 #include "core/particle_state.hpp"
 #include "core/scene.hpp"
 #include "variants/axes.hpp"
+#include "variants/kernel_compiler.hpp"
 
 namespace warpgrain {
 
@@ -45,6 +46,8 @@ struct BackendOptions {
   unsigned threads = 0;  // host and simt: worker threads, 0 = all cores
   std::string
       kernel_folder;  // files there (below it as below kernels/) shadow the kernels of the build; empty: none
+  // Who makes PTX of the kernels: on cuda and simt.
+  KernelCompiler compiler = KernelCompiler::clang;
   // Whether timings() has anything to say. On cuda that costs a little for each launch, and `undisturbed`
   // more: the device waits until a step's launches are queued, so that none is timed while it waits for the
   // host.

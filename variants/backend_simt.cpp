@@ -8,8 +8,9 @@ namespace {
 
 std::unique_ptr<Simulation> create(const Scene& scene, const Variant& variant,
                                    const BackendOptions& options) {
-  return std::make_unique<DeviceSimulation>(scene, variant, options,
-                                            make_simt_device(profiler::TraceMode::none, options.threads));
+  return std::make_unique<DeviceSimulation>(
+      scene, variant, options,
+      make_simt_device(profiler::TraceMode::none, options.threads, options.compiler));
 }
 
 }  // namespace

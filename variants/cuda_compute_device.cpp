@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "profiler/opencl_frontend.hpp"
+#include "profiler/opencl_frontend.hpp"  // CompiledPtx
 #include "variants/cuda_driver.hpp"
 #include "variants/cuda_helpers.hpp"
 #include "variants/cuda_program.hpp"
@@ -23,13 +23,14 @@ constexpr double delay_seconds = 2e-3;
 
 class CudaComputeDevice : public ComputeDevice {
  public:
-  CudaComputeDevice(const std::string& substring, KernelTimes times) : device_(substring), times_(times) {
-    if (times == KernelTimes::undisturbed) delay_.emplace(device_);
+  explicit CudaComputeDevice(const BackendOptions& options)
+      : device_(options.device), times_(options.kernel_times), compiler_(options.compiler) {
+    if (times_ == KernelTimes::undisturbed) delay_.emplace(device_);
   }
 
   void build(const std::vector<SourceUnit>& units) override {
     for (const SourceUnit& unit : units) {
-      const std::string ptx = profiler::compile_opencl(unit.text, where, unit.build_options).ptx;
+      const std::string ptx = compile_unit(unit, compiler_).ptx;
       CudaModule module =
           load_program(device_, assemble_for_cuda(device_, CudaAssembler::driver, ptx, where), where);
       units_.push_back({std::move(module), {}});
@@ -118,6 +119,7 @@ class CudaComputeDevice : public ComputeDevice {
 
   CudaDevice device_;
   KernelTimes times_;
+  KernelCompiler compiler_;
   std::optional<CudaDelay> delay_;
   std::vector<Unit> units_;
   PerArray<CudaMemory> buffers_;
@@ -130,8 +132,8 @@ class CudaComputeDevice : public ComputeDevice {
 
 std::string cuda_device_lacks() { return cuda_lacks(); }
 
-std::unique_ptr<ComputeDevice> open_cuda_device(const std::string& substring, KernelTimes times) {
-  return std::make_unique<CudaComputeDevice>(substring, times);
+std::unique_ptr<ComputeDevice> open_cuda_device(const BackendOptions& options) {
+  return std::make_unique<CudaComputeDevice>(options);
 }
 
 }  // namespace warpgrain
@@ -144,7 +146,7 @@ std::string cuda_device_lacks() {
   return "built without the simulator (WARPGRAIN_SIMULATOR=OFF), whose compiler it takes";
 }
 
-std::unique_ptr<ComputeDevice> open_cuda_device(const std::string&, BackendOptions::KernelTimes) {
+std::unique_ptr<ComputeDevice> open_cuda_device(const BackendOptions&) {
   throw_input_error("cuda", cuda_device_lacks());
 }
 

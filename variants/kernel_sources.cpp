@@ -11,18 +11,31 @@
 namespace warpgrain {
 namespace {
 
-// The file that a line #includes with quotes; empty for every other line.
-std::string_view included_file(std::string_view line) {
-  const auto skip_blanks = [&line] {
-    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
-  };
-  skip_blanks();
+void skip_blanks(std::string_view& line) {
+  line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+}
+
+// What follows the '#' of a directive; empty for every other line.
+std::string_view directive(std::string_view line) {
+  skip_blanks(line);
   if (!line.starts_with('#')) return {};
   line.remove_prefix(1);
-  skip_blanks();
+  skip_blanks(line);
+  return line;
+}
+
+// Behind these the text before may have been left out, and the #line in it.
+bool is_branch(std::string_view line) {
+  const std::string_view name = directive(line);
+  return name.starts_with("else") || name.starts_with("elif") || name.starts_with("endif");
+}
+
+// The file that a line #includes with quotes; empty for every other line.
+std::string_view included_file(std::string_view line) {
+  line = directive(line);
   if (!line.starts_with("include")) return {};
   line.remove_prefix(7);
-  skip_blanks();
+  skip_blanks(line);
   if (!line.starts_with('"')) return {};
   line.remove_prefix(1);
   const std::size_t quote = line.find('"');
@@ -76,12 +89,16 @@ void KernelSources::append(std::string_view path, std::string_view included_from
   text += fmt::format("#line 1 \"{}\"\n", file.shown_path);
   std::istringstream lines(file.text);
   std::string line;
+  bool has_included = false;
   for (int number = 1; std::getline(lines, line); ++number) {
     const std::string_view included = included_file(line);
     if (included.empty()) {
       text += line;
       text += '\n';
+      if (has_included && is_branch(line))
+        text += fmt::format("#line {} \"{}\"\n", number + 1, file.shown_path);
     } else {
+      has_included = true;
       append(included, fmt::format("{}:{}", file.shown_path, number), text, done);
       text += fmt::format("#line {} \"{}\"\n", number + 1, file.shown_path);
     }

@@ -32,13 +32,15 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
 
 class SimulatedDevice : public OverSimulatorArrays<SimtDevice> {
  public:
-  SimulatedDevice(profiler::TraceMode mode, profiler::Checks checks, unsigned threads)
+  SimulatedDevice(profiler::TraceMode mode, KernelCompiler compiler, profiler::Checks checks,
+                  unsigned threads)
       : mode_(mode),
+        compiler_(compiler),
         checks_(checks),
         threads_(threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency())) {}
 
   void build(const std::vector<SourceUnit>& units) override {
-    for (const SourceUnit& unit : units) units_.push_back(SimulatedUnit::of(unit, mode_, checks_));
+    for (const SourceUnit& unit : units) units_.push_back(SimulatedUnit::of(unit, compiler_, mode_, checks_));
   }
 
   void launch(const KernelLaunch& launch) override {
@@ -110,6 +112,7 @@ class SimulatedDevice : public OverSimulatorArrays<SimtDevice> {
   }
 
   profiler::TraceMode mode_;
+  KernelCompiler compiler_;
   profiler::Checks checks_;
   unsigned threads_;
   std::vector<std::shared_ptr<SimulatedUnit>> units_;
@@ -125,8 +128,8 @@ class SimulatedDevice : public OverSimulatorArrays<SimtDevice> {
 std::string simulator_lacks() { return {}; }
 
 std::unique_ptr<SimtDevice> make_simt_device(profiler::TraceMode mode, unsigned threads,
-                                             profiler::Checks checks) {
-  return std::make_unique<SimulatedDevice>(mode, checks, threads);
+                                             KernelCompiler compiler, profiler::Checks checks) {
+  return std::make_unique<SimulatedDevice>(mode, compiler, checks, threads);
 }
 
 }  // namespace warpgrain
@@ -137,7 +140,8 @@ namespace warpgrain {
 
 std::string simulator_lacks() { return "built without the simulator (WARPGRAIN_SIMULATOR=OFF)"; }
 
-std::unique_ptr<SimtDevice> make_simt_device(profiler::TraceMode, unsigned, profiler::Checks) {
+std::unique_ptr<SimtDevice> make_simt_device(profiler::TraceMode, unsigned, KernelCompiler,
+                                             profiler::Checks) {
   throw_input_error("simt", simulator_lacks());
 }
 

@@ -29,6 +29,7 @@ std::string simulator_lacks();
 // `threads`: worker threads, 0 = all cores. With checks, profiles tell what is wrong with the kernels. Throws
 // InputError when simulator_lacks().
 std::unique_ptr<SimtDevice> make_simt_device(profiler::TraceMode mode, unsigned threads,
+                                             KernelCompiler compiler = KernelCompiler::clang,
                                              profiler::Checks checks = profiler::Checks::off);
 
 }  // namespace warpgrain

@@ -14,22 +14,24 @@ constexpr std::size_t units_kept = 12;
 
 }  // namespace
 
-SimulatedUnit::SimulatedUnit(const SourceUnit& source, profiler::TraceMode mode, profiler::Checks checks)
+SimulatedUnit::SimulatedUnit(const SourceUnit& source, KernelCompiler compiler, profiler::TraceMode mode,
+                             profiler::Checks checks)
     : source_(source),
+      compiler_(compiler),
       mode_(mode),
       checks_(checks),
-      compiled_(profiler::compile_opencl(source.text, name, source.build_options)) {
+      compiled_(compile_unit(source, compiler)) {
   if (checks == profiler::Checks::on)
     declarations_ = profiler::declaration_bitcode(source.text, name, source.build_options);
 }
 
-std::shared_ptr<SimulatedUnit> SimulatedUnit::of(const SourceUnit& source, profiler::TraceMode mode,
-                                                 profiler::Checks checks) {
+std::shared_ptr<SimulatedUnit> SimulatedUnit::of(const SourceUnit& source, KernelCompiler compiler,
+                                                 profiler::TraceMode mode, profiler::Checks checks) {
   static std::mutex mutex;
   static std::deque<std::shared_ptr<SimulatedUnit>> kept;  // used last first
   const auto is_it = [&](const std::shared_ptr<SimulatedUnit>& unit) {
-    return unit->mode_ == mode && unit->checks_ == checks && unit->source_.text == source.text &&
-           unit->source_.build_options == source.build_options;
+    return unit->compiler_ == compiler && unit->mode_ == mode && unit->checks_ == checks &&
+           unit->source_.text == source.text && unit->source_.build_options == source.build_options;
   };
   const auto take = [&]() -> std::shared_ptr<SimulatedUnit> {
     const std::lock_guard lock(mutex);
@@ -40,7 +42,7 @@ std::shared_ptr<SimulatedUnit> SimulatedUnit::of(const SourceUnit& source, profi
   };
   if (auto unit = take()) return unit;
   // Compiled outside of the lock, by two threads at once if need be.
-  std::shared_ptr<SimulatedUnit> unit(new SimulatedUnit(source, mode, checks));
+  std::shared_ptr<SimulatedUnit> unit(new SimulatedUnit(source, compiler, mode, checks));
   const std::lock_guard lock(mutex);
   kept.push_front(unit);
   if (kept.size() > units_kept) kept.pop_back();

@@ -11,6 +11,7 @@
 #include "profiler/executable.hpp"
 #include "profiler/kernel_declaration.hpp"
 #include "profiler/opencl_frontend.hpp"
+#include "variants/kernel_compiler.hpp"
 #include "variants/step_plan.hpp"
 
 namespace warpgrain {
@@ -25,10 +26,10 @@ class SimulatedUnit {
  public:
   static constexpr const char* name = "kernels";  // in messages and reports
 
-  // The unit of that text and those options, compiled if no device has it or had it lately. Throws InputError
-  // with the compiler's message.
-  static std::shared_ptr<SimulatedUnit> of(const SourceUnit& source, profiler::TraceMode mode,
-                                           profiler::Checks checks);
+  // The unit of that text and those options, compiled by that compiler if no device has it or had it lately.
+  // Throws InputError with the compiler's message.
+  static std::shared_ptr<SimulatedUnit> of(const SourceUnit& source, KernelCompiler compiler,
+                                           profiler::TraceMode mode, profiler::Checks checks);
 
   const std::string& text() const { return source_.text; }
   const profiler::CompiledPtx& compiled() const { return compiled_; }
@@ -36,9 +37,11 @@ class SimulatedUnit {
   const SimulatedKernel& kernel(const std::string& kernel_name);
 
  private:
-  SimulatedUnit(const SourceUnit& source, profiler::TraceMode mode, profiler::Checks checks);
+  SimulatedUnit(const SourceUnit& source, KernelCompiler compiler, profiler::TraceMode mode,
+                profiler::Checks checks);
 
   SourceUnit source_;
+  KernelCompiler compiler_;
   profiler::TraceMode mode_;
   profiler::Checks checks_;
   profiler::CompiledPtx compiled_;

@@ -33,7 +33,8 @@ std::vector<profiler::LaunchProfile> profile_step(const Scene& scene, const Vari
                                                   const std::filesystem::path& export_folder) {
   const auto mode =
       options.addresses ? profiler::TraceMode::blocks_and_addresses : profiler::TraceMode::blocks;
-  std::unique_ptr<SimtDevice> device = make_simt_device(mode, backend.threads, options.checks);
+  std::unique_ptr<SimtDevice> device =
+      make_simt_device(mode, backend.threads, backend.compiler, options.checks);
   SimtDevice& simulator = *device;
   DeviceSimulation simulation(scene, variant, backend, std::move(device));
   profiler::ProfileOptions of_kernels = options;

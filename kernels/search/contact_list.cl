@@ -10,7 +10,7 @@
 #include "search/candidates.h"
 
 // Inclusive sums over the work-group, in place.
-DEVICE_FUNCTION void sum_up(LOCAL uint* ends, uint item) {
+DEVICE_FUNCTION void sum_up(LOCAL_POINTER uint* ends, uint item) {
   for (uint stride = 1; stride < PARTICLE_WORK_GROUP; stride *= 2) {
     const uint before = item >= stride ? ends[item - stride] : 0;
     work_group_barrier_local();
@@ -20,7 +20,7 @@ DEVICE_FUNCTION void sum_up(LOCAL uint* ends, uint item) {
 }
 
 // Whose contact it is: the first whose contacts end behind it.
-DEVICE_FUNCTION uint owner_of(uint contact, LOCAL const uint* ends) {
+DEVICE_FUNCTION uint owner_of(uint contact, LOCAL_POINTER const uint* ends) {
   uint owner = 0;
   for (uint step = PARTICLE_WORK_GROUP / 2; step > 0; step /= 2)
     owner += ends[owner + step - 1] <= contact ? step : 0;

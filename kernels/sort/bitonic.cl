@@ -10,7 +10,7 @@ DEVICE_FUNCTION uint first_of_pair(uint comparator, uint stride) {
   return 2 * comparator - (comparator & (stride - 1));
 }
 
-DEVICE_FUNCTION void exchange_in_block(LOCAL ulong* block, uint base, uint size, uint stride) {
+DEVICE_FUNCTION void exchange_in_block(LOCAL_POINTER ulong* block, uint base, uint size, uint stride) {
   const uint first = first_of_pair(work_item_in_group(), stride);
   const bool ascending = ((base + first) & size) == 0;
   const ulong a = block[first];

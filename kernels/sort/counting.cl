@@ -14,7 +14,7 @@ KERNEL void count_cells(const StepParameters p, GLOBAL const ulong* keys, GLOBAL
 
 // Exclusive scan of one number a work-item in local memory [SCAN_WORK_GROUP] (Hillis and Steele 1986); the
 // sum of all in *total.
-DEVICE_FUNCTION uint scan_of_group(uint value, LOCAL uint* sums, uint* total) {
+DEVICE_FUNCTION uint scan_of_group(uint value, LOCAL_POINTER uint* sums, uint* total) {
   const uint item = work_item_in_group();
   sums[item] = value;
   work_group_barrier_local();

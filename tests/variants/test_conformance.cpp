@@ -8,13 +8,17 @@
 #include <map>
 #include <string>
 
+#include "core/error.hpp"
 #include "core/reference_forces.hpp"
 #include "core/wall.hpp"
 #include "covering_variants.hpp"
+#include "profiler/opencl_frontend.hpp"
 #include "random_bed.hpp"
 #include "variants/backend.hpp"
 #include "variants/combinations.hpp"
 #include "variants/device_scene.hpp"
+#include "variants/kernel_compiler.hpp"
+#include "variants/step_plan.hpp"
 
 namespace warpgrain {
 namespace {
@@ -27,6 +31,7 @@ struct Case {
   const Backend* backend;
   Variant variant;
   std::vector<ModelOptions> options;
+  KernelCompiler compiler = KernelCompiler::clang;
 };
 
 std::vector<ModelOptions> every_option() {
@@ -52,6 +57,18 @@ std::vector<Variant> variants_for(const Backend& backend) {
   return variants;
 }
 
+// As CUDA C++ the kernels are the same text: what tests the words of prelude_cuda.h. Every law, search and
+// precision is in one.
+std::vector<Variant> variants_as_cuda() {
+  std::vector<Variant> variants;
+  for (const char* name : {"branchy/cells/unsorted/fp32/default", "simple/verlet/cell/fp32/native",
+                           "branchless/half_shell/cell/fp64/default/sort=counting",
+                           "sfu_minimised/contact_list/cell/mixed/default",
+                           "branchy/two_phase/morton/fp16_history/fast_relaxed"})
+    variants.push_back(Variant::parse(name));
+  return variants;
+}
+
 // Each option of the model is compiled into the kernels, which takes the time of this test: the variants of a
 // law share them out among themselves.
 std::vector<Case> every_case() {
@@ -68,7 +85,18 @@ std::vector<Case> every_case() {
       cases.insert(cases.end(), of_law.begin(), of_law.end());
     }
   }
+  for (const Variant& variant : variants_as_cuda())
+    cases.push_back({&backend("simt"), variant, {ModelOptions{}}, KernelCompiler::cuda});
   return cases;
+}
+
+bool has_cuda_compiler() {
+  try {
+    compile_unit({"extern \"C\" __global__ void nothing() {}", ""}, KernelCompiler::cuda);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
 }
 
 double largest(const std::vector<Vector3d>& vectors) {
@@ -129,7 +157,7 @@ class Conformance : public testing::TestWithParam<Case> {
     const Case& c = GetParam();
     const ContactLaw& law = contact_law(c.variant);
     const double bound = error_bound(c.variant);
-    const auto simulation = c.backend->create(scene, c.variant, {});
+    const auto simulation = c.backend->create(scene, c.variant, {.compiler = c.compiler});
     scene.model.contact = law.model;
     const double radius = std::ranges::max(scene.particles.radius);
     const ReferenceOptions options{.threads = 1, .contact_slots = contact_slots_for(scene.particles)};
@@ -153,12 +181,15 @@ class Conformance : public testing::TestWithParam<Case> {
 };
 
 INSTANTIATE_TEST_SUITE_P(EveryVariant, Conformance, testing::ValuesIn(every_case()), [](const auto& c) {
-  return std::string(c.param.backend->name) + '_' + test_name(c.param.variant);
+  return std::string(c.param.backend->name) + '_' + test_name(c.param.variant) +
+         (c.param.compiler == KernelCompiler::cuda ? "_as_cuda" : "");
 });
 
 TEST_P(Conformance, AgreesWithTheDoubleReference) {
   const Case& c = GetParam();
   if (const std::string lack = c.backend->lacks(); !lack.empty()) GTEST_SKIP() << lack;
+  if (c.compiler == KernelCompiler::cuda && !has_cuda_compiler())
+    GTEST_SKIP() << "neither nvcc nor NVRTC is installed";
   std::uint64_t seed = 1;
   for (const ModelOptions& options : c.options) {
     Scene bed = random_bed({.n_particles = 300 + 10 * seed, .seed = ++seed, .spacing = 1.85});

@@ -54,6 +54,16 @@ TEST_F(KernelFolder, ShadowsTheEmbeddedFilesAndIncludesEachOnce) {
                                                       "\"\n#line 4 \"" + path("integrate.cl") + "\"\nlast\n");
 }
 
+// What is left out takes the #line behind an #include with it.
+TEST_F(KernelFolder, LinesAreTrueBehindAnIncludeThatIsLeftOut) {
+  write("integrate.cl", "#ifdef NEVER\n#include \"a.h\"\n#else\nfourth\n#endif\nsixth");
+  write("a.h", "one\ntwo\n");
+  const std::vector<std::string> files{"integrate.cl"};
+  const std::string text = KernelSources(folder_).bundle(files);
+  EXPECT_THAT(text, HasSubstr("#else\n#line 4 \"" + path("integrate.cl") + "\"\nfourth\n"));
+  EXPECT_THAT(text, HasSubstr("#endif\n#line 6 \"" + path("integrate.cl") + "\"\nsixth\n"));
+}
+
 TEST_F(KernelFolder, NamesTheLineThatIncludesAMissingFile) {
   write("integrate.cl", "first\n#include \"gone.h\"\n");
   const std::vector<std::string> files{"integrate.cl"};
