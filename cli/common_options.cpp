@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "cli/help_text.hpp"
+#include "core/error.hpp"
 
 namespace warpgrain::cli {
 

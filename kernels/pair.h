@@ -26,12 +26,14 @@ DEVICE_FUNCTION Pair pair_with(Place place, Place other) {
   return pair;
 }
 
-// Whether the surfaces are nearer than `gap`.
-DEVICE_FUNCTION bool is_within(const Pair* pair, real gap) {
+// Whether the surfaces are nearer than `gap`. Comparisons are macros, so that a branch on one has the line of
+// its user.
+DEVICE_FUNCTION real limit_square(const Pair* pair, real gap) {
   const real limit = pair->reach + gap;
-  return pair->square < limit * limit;
+  return limit * limit;
 }
-DEVICE_FUNCTION bool touches(const Pair* pair) { return pair->square < pair->reach * pair->reach; }
+#define is_within(pair, gap) ((pair)->square < limit_square(pair, gap))
+#define touches(pair) ((pair)->square < (pair)->reach * (pair)->reach)
 
 DEVICE_FUNCTION Touch touch_of(const Pair* pair) {
   const Distance distance = distance_of(pair->square);

@@ -44,11 +44,12 @@ DEVICE_FUNCTION long coarse_square(const Pair* pair) {
 
 // Never false for spheres nearer than that; true for some that are up to two coarse units farther apart,
 // whose overlap is zero.
-DEVICE_FUNCTION bool is_within(const Pair* pair, real gap) {
+DEVICE_FUNCTION long limit_square(const Pair* pair, real gap) {
   const long limit = coarse_part(pair->reach_units) + (int)(gap * (REAL(1.0) / COARSE_LENGTH)) + 3;
-  return coarse_square(pair) < limit * limit;
+  return limit * limit;
 }
-DEVICE_FUNCTION bool touches(const Pair* pair) { return is_within(pair, REAL(0.0)); }
+#define is_within(pair, gap) (coarse_square(pair) < limit_square(pair, gap))
+#define touches(pair) is_within(pair, REAL(0.0))
 
 DEVICE_FUNCTION Touch touch_of(const Pair* pair) {
   const long reach = coarse_part(pair->reach_units);

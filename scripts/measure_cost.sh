@@ -24,10 +24,12 @@ bench/cost/make_launches.py "$work/launches"
 cd "$work/launches" || exit
 "$warpgrain" profile nothing-12-128.sim --weights ptx --unchecked --quiet --json kernels.json || exit
 failed=()
+# shellcheck disable=SC2016 # expanded by the inner shell
+printf '%s\n' *.sim | xargs -P "$(nproc)" -I{} bash -c '
+  "$0" profile "$1" --machine "$2" --weights sass --unchecked --quiet --threads 1 --json "$3/${1%.sim}.report.json"' \
+  "$warpgrain" {} "$machine" "$work/results"
 for launch in *.sim; do
-  name=${launch%.sim}
-  "$warpgrain" profile "$launch" --machine "$machine" --weights sass --unchecked --quiet \
-    --json "$work/results/$name.report.json" || failed+=("$name: profile")
+  [[ -f "$work/results/${launch%.sim}.report.json" ]] || failed+=("${launch%.sim}: profile")
 done
 sed -i '1s/.*/kernels.ptx/' ./*.sim
 for launch in *.sim; do

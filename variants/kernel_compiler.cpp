@@ -34,12 +34,13 @@ profiler::CompiledPtx compile_as_cuda(const SourceUnit& unit) {
   const std::filesystem::path file = folder.path() / "kernels.cu";
   profiler::write_text(file, unit.text);
   profiler::CompiledPtx compiled = profiler::compile_cuda(file, cuda_build_options(unit.build_options));
-  // Names of files are those of #line, which nvcc takes to lie in a folder.
-  const std::string before = "\"" + (folder.path() / "").string();
-  for (const std::string& prefix : {before, "\"" + (std::filesystem::current_path() / "").string()})
-    for (std::size_t at = compiled.ptx.find(prefix); at != std::string::npos;
-         at = compiled.ptx.find(prefix, at + 1))
-      compiled.ptx.replace(at, prefix.size(), "\"");
+  // Names of files are those of #line, which the compilers take to lie in the folder that they run in.
+  for (const std::filesystem::path& folder_name : {folder.path(), std::filesystem::current_path()}) {
+    const std::string before = fmt::format("\"{}/", folder_name.string());
+    for (std::size_t at = compiled.ptx.find(before); at != std::string::npos;
+         at = compiled.ptx.find(before, at + 1))
+      compiled.ptx.erase(at + 1, before.size() - 1);
+  }
   return compiled;
 }
 

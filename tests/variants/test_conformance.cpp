@@ -157,7 +157,9 @@ class Conformance : public testing::TestWithParam<Case> {
     const Case& c = GetParam();
     const ContactLaw& law = contact_law(c.variant);
     const double bound = error_bound(c.variant);
-    const auto simulation = c.backend->create(scene, c.variant, {.compiler = c.compiler});
+    BackendOptions how;
+    how.compiler = c.compiler;
+    const auto simulation = c.backend->create(scene, c.variant, how);
     scene.model.contact = law.model;
     const double radius = std::ranges::max(scene.particles.radius);
     const ReferenceOptions options{.threads = 1, .contact_slots = contact_slots_for(scene.particles)};
