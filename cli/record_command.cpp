@@ -78,7 +78,8 @@ int record(RecordOptions options) {
   if (!temporary) options.settings.folder = std::filesystem::absolute(options.save);
   const int status = run_recorded(options.program, layer, options.settings);
   if (!std::filesystem::exists(options.settings.folder / record_index)) {
-    std::cerr << "warpgrain record: the program has not loaded an OpenCL that takes layers\n";
+    std::cerr << "warpgrain record: no call of OpenCL was seen: the program makes none, or its loader takes "
+                 "no layers\n";
     return status;
   }
   const RecordedProfiles profiles = profile_recorded(options.settings.folder, how, progress);

@@ -1,9 +1,11 @@
 // `warpgrain record` as it is called: as a program of its own, for the layer goes into another.
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -94,6 +96,16 @@ TEST_F(Record, TakesTheLaunchesThatAreAskedFor) {
 
   EXPECT_EQ(record({"--save", path("saved")}), 2);
   EXPECT_THAT(err_, HasSubstr("holds recorded launches"));
+}
+
+TEST_F(Record, TakesLaunchesOfSeveralThreads) {
+  record({"--weights", "ptx", "--quiet", "--json", path("r.json"), "--kernel", "repeat"}, "6");
+  std::map<std::uint64_t, int> launches;  // by instructions, of which each step of `i` adds as many
+  const json report = json::parse(read("r.json"));
+  for (const json& launch : report.at("launches"))
+    ++launches[launch.at("totals").at("warp_instructions").get<std::uint64_t>()];
+  EXPECT_EQ(launches.size(), 6U);
+  for (const auto& [instructions, count] : launches) EXPECT_EQ(count, 4) << instructions;
 }
 
 TEST_F(Record, StopsAtItsLimits) {

@@ -27,6 +27,12 @@ kernel void count_bits(global int* part, global int* optional) {
   if (optional) optional[i] = bits;
 }
 
+// As often as its buffer says.
+kernel void repeat(global int* numbers) {
+  const size_t i = get_global_id(0);
+  for (int k = numbers[i]; k > 0; --k) numbers[i] ^= k;
+}
+
 kernel void paint(write_only image2d_t image) {
   write_imagef(image, (int2)(get_global_id(0), get_global_id(1)), (float4)(1));
 }

@@ -1,0 +1,147 @@
+#!/usr/bin/env python3
+"""Records OpenCL programs of Debian and writes the tables of docs/record.md.
+
+    scripts/record_table.py --warpgrain build/release/cli/warpgrain docs/record.md
+
+writes, between the page's lines <!-- begin tables --> and <!-- end tables -->, the kernels of each program that is
+installed, and what recording cost. Without a page the tables go to stdout. The programs (Debian 12):
+
+    apt-get install --no-install-recommends clpeak clblast-utils clfft-client python3-pyopencl python-pyopencl-doc \\
+        python3-imageio python3-pil.imagetk
+
+Cost is processor time, which other programs on the machine disturb less than the clock: of the program alone, of
+record as a whole, and of `warpgrain profile` on each of the launch files that record has saved, one by one.
+"""
+import argparse
+import collections
+import json
+import os
+import pathlib
+import shlex
+import shutil
+import subprocess
+import sys
+import tempfile
+
+BEGIN, END = "<!-- begin tables -->", "<!-- end tables -->"
+EXAMPLES = "/usr/share/doc/python-pyopencl-doc/examples"
+# What is recorded, with the options of record. Debian's python3, whatever else is in PATH.
+PROGRAMS = (
+    ("", f"/usr/bin/python3 {EXAMPLES}/demo_array.py"),
+    ("", f"/usr/bin/python3 {EXAMPLES}/demo_elementwise.py"),
+    ("", f"/usr/bin/python3 {EXAMPLES}/demo-struct-reduce.py"),
+    ("", f"/usr/bin/python3 {EXAMPLES}/median-filter.py"),
+    ("", f"/usr/bin/python3 {EXAMPLES}/demo_mandelbrot.py"),
+    ("--first 1 --largest 300000", f"/usr/bin/python3 {EXAMPLES}/n-body.py"),
+    ("--first 1", "clFFT-client -x 1024 -b 16"),
+    ("--first 1", "clFFT-client -x 243 -y 125"),
+    ("--first 1", "clblast_tuner_xaxpy -n 65536 -runs 1 -fraction 16"),
+    ("--first 1", "clblast_tuner_xdot -n 65536 -runs 1 -fraction 16"),
+    ("--first 1", "clblast_tuner_xgemm_direct -n 64 -m 64 -k 64 -runs 1 -fraction 64"),
+    ("--first 1 --largest 300000", "clpeak --kernel-latency --compute-sp --compute-dp"),
+)
+ENVIRONMENT = {"PYOPENCL_NO_CACHE": "1", "PYOPENCL_CTX": "0"}
+
+
+def run(words, folder):
+    """Runs a program in a folder; its processor time in seconds, with that of what it started, and what it said on stderr."""
+    with tempfile.TemporaryFile() as errors:
+        process = subprocess.Popen(
+            words, cwd=folder, env={**os.environ, **ENVIRONMENT},
+            stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=errors,
+        )
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+        errors.seek(0)
+        return usage.ru_utime + usage.ru_stime, process.returncode, errors.read().decode(errors="replace")
+
+
+def worst_branch(launches):
+    """Where most lane slots are lost, with its share of all that are lost."""
+    lost, everything = collections.Counter(), 0
+    for launch in launches:
+        everything += launch["lane_slots_never_used"]
+        for branch in launch["branches"]:
+            label = " ".join(branch["label"].split())
+            lost[f'`{label[:60]}`' if label else f'{branch["file"]}:{branch["line"]}'] += branch["lane_slots_lost"]
+            everything += branch["lane_slots_lost"]
+    label, slots = (lost.most_common(1) or [("", 0)])[0]
+    if slots == 0:
+        return "none"
+    return f"{label.replace('|', chr(92) + '|')} {100 * slots / everything:.0f} %"
+
+
+def kernel_rows(program, report):
+    by_kernel = collections.defaultdict(list)
+    for launch in report["launches"]:
+        by_kernel[launch["kernel"]].append(launch)
+    for kernel, launches in by_kernel.items():
+        threads = sum(l["totals"]["thread_instructions"] for l in launches)
+        slots = sum(l["totals"]["warp_instructions"] * l["warp_width"] for l in launches)
+        warps = sum(l["totals"]["warp_instructions"] for l in launches)
+        yield (program, f"`{kernel}`", len(launches), f"{threads / slots:.3f}", f"{warps:,}", worst_branch(launches))
+
+
+def record(warpgrain, options, command):
+    """The report, the rows of its kernels, and the row of its cost."""
+    words = shlex.split(command)
+    name = " ".join([os.path.basename(words[0]), *(os.path.basename(w) for w in words[1:])])
+    name = f"`{name}`" + (f" ({options})" if options else "")
+    with tempfile.TemporaryDirectory() as folder:
+        if os.path.exists(f"{EXAMPLES}/noisyImage.jpg"):
+            shutil.copy(f"{EXAMPLES}/noisyImage.jpg", folder)  # which an example asks for
+        run(words, folder)  # so that PoCL has its kernels in its cache
+        alone, status_alone, _ = run(words, folder)
+        saved, json_file = pathlib.Path(folder, "saved"), pathlib.Path(folder, "r.json")
+        call = [warpgrain, "record", *shlex.split(options), "--quiet", "--save", saved, "--json", json_file, "--", *words]
+        recorded, status, errors = run(call, folder)
+        if status != status_alone:
+            raise RuntimeError(f"{command}: status {status}, alone {status_alone}\n{errors}")
+        if not json_file.exists():
+            raise RuntimeError(f"{command}: {errors}")
+        report = json.loads(json_file.read_text())
+        files = sorted(saved.glob("launch-*.sim"))
+        profiled = sum(run([warpgrain, "profile", "--quiet", f], folder)[0] for f in files)
+    remarks = [line.removeprefix("warpgrain record: ") for line in errors.splitlines() if line.startswith("warpgrain record: ")]
+    cost = (name, len(files), f"{alone:.1f}", f"{recorded:.1f}", f"{profiled:.1f}", f"{recorded / profiled:.2f}" if files else "-")
+    return list(kernel_rows(name, report)), cost, remarks
+
+
+def table(headings, rows):
+    lines = [" | ".join(headings), "|".join("---" for _ in headings), *(" | ".join(map(str, row)) for row in rows)]
+    return "\n".join(f"| {line} |" if set(line) != {"-", "|"} else f"|{line}|" for line in lines) + "\n"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--warpgrain", default="build/release/cli/warpgrain")
+    parser.add_argument("page", nargs="?")
+    arguments = parser.parse_args()
+    kernels, costs, remarks = [], [], []
+    for options, command in PROGRAMS:
+        program = shlex.split(command)
+        if not shutil.which(program[0]) or not all(os.path.exists(w) for w in program[1:] if w.startswith("/")):
+            print(f"not installed: {command}", file=sys.stderr)
+            continue
+        print(command, file=sys.stderr)
+        rows, cost, notes = record(os.path.abspath(arguments.warpgrain), options, command)
+        kernels += rows
+        costs.append(cost)
+        print("  " + ", ".join(map(str, cost[1:])), file=sys.stderr)
+        remarks += [f"* {cost[0]}: {note}" for note in notes]
+    text = table(("program", "kernel", "launches", "SIMT efficiency", "warp instructions", "lane slots lost most at"), kernels)
+    text += "\n" + table(
+        ("program", "launches", "alone, CPU s", "record, CPU s", "profile of the saved files, CPU s", "record / profile"), costs
+    )
+    if remarks:
+        text += "\nWhat record said of them:\n\n" + "\n".join(remarks) + "\n"
+    if not arguments.page:
+        sys.stdout.write(text)
+        return
+    page = pathlib.Path(arguments.page)
+    before, rest = page.read_text().split(BEGIN)
+    page.write_text(f"{before}{BEGIN}\n{text}{END}{rest.split(END)[1]}")
+
+
+if __name__ == "__main__":
+    main()
