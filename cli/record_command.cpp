@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/machine.hpp"
 #include "cli/app.hpp"
 #include "cli/common_options.hpp"
 #include "cli/help_text.hpp"
@@ -22,7 +23,6 @@
 #include "reports/ptx_files.hpp"
 #include "reports/report_json.hpp"
 #include "reports/text_report.hpp"
-#include "variants/step_profile.hpp"
 
 namespace warpgrain::cli {
 namespace {
@@ -46,11 +46,12 @@ void check(const RecordOptions& options) {
     throw_input_error("--save", fmt::format("'{}' holds recorded launches", options.save), "another folder");
 }
 
-reports::Report report_of(const RecordedProfiles& profiles, const RecordOptions& options) {
+reports::Report report_of(const RecordedProfiles& profiles, const std::optional<Machine>& machine,
+                          const RecordOptions& options) {
   reports::Report report = reports::make_report(profiles.launches, command_line());
   const std::string& json = options.output.json;
   if (!json.empty() && json != "-") reports::keep_ptx(report, profiles.launches, json);
-  report.machine = options.simulator.load_machine();
+  report.machine = machine;
   report.limits.insert(report.limits.end(), profiles.remarks.begin(), profiles.remarks.end());
   return report;
 }
@@ -68,6 +69,7 @@ int record(RecordOptions options) {
   check(options);
   Progress progress(options.output.quiet);
   const profiler::ProfileOptions how = options.simulator.profile_options(options.device, progress);
+  const auto machine = options.simulator.load_machine();  // before the program runs, as all that can be wrong
   const std::filesystem::path layer = find_layer();
   options.settings.memory = options.memory << 20;
   std::optional<profiler::TemporaryFolder> temporary;
@@ -83,9 +85,8 @@ int record(RecordOptions options) {
     return status;
   }
   const RecordedProfiles profiles = profile_recorded(options.settings.folder, how, progress);
-  if (!profiles.launches.empty()) require_answers(how.what_if, profiles.launches);
   progress.clear();
-  write(report_of(profiles, options), profiles, options);
+  write(report_of(profiles, machine, options), profiles, options);
   return status;
 }
 

@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "profiler/compiled_launches.hpp"
 #include "profiler/launch_file.hpp"
+#include "variants/step_profile.hpp"
 
 namespace warpgrain::cli {
 namespace {
@@ -66,6 +67,11 @@ RecordedProfiles profile_recorded(const std::filesystem::path& folder, profiler:
     }
   }
   profiles.remarks = remarks.lines();
+  try {
+    if (!profiles.launches.empty()) require_answers(options.what_if, profiles.launches);
+  } catch (const InputError& error) {  // the program has run, and what there is of it is worth showing
+    profiles.remarks.emplace_back(error.what());
+  }
   return profiles;
 }
 

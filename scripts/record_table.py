@@ -35,9 +35,9 @@ PROGRAMS = (
     ("--first 1 --largest 300000", f"/usr/bin/python3 {EXAMPLES}/n-body.py"),
     ("--first 1", "clFFT-client -x 1024 -b 16"),
     ("--first 1", "clFFT-client -x 243 -y 125"),
-    ("--first 1", "clblast_tuner_xaxpy -n 65536 -runs 1 -fraction 16"),
-    ("--first 1", "clblast_tuner_xdot -n 65536 -runs 1 -fraction 16"),
-    ("--first 1", "clblast_tuner_xgemm_direct -n 64 -m 64 -k 64 -runs 1 -fraction 64"),
+    ("--first 1", "clblast_tuner_xaxpy -n 65536 -runs 1"),
+    ("--first 1", "clblast_tuner_xdot -n 65536 -runs 1"),
+    ("--first 1", "clblast_tuner_xgemm_direct -n 64 -m 64 -k 64 -runs 1 -fraction 128"),
     ("--first 1 --largest 300000", "clpeak --kernel-latency --compute-sp --compute-dp"),
 )
 ENVIRONMENT = {"PYOPENCL_NO_CACHE": "1", "PYOPENCL_CTX": "0"}
@@ -51,7 +51,8 @@ def run(words, folder):
             stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=errors,
         )
         _, status, usage = os.wait4(process.pid, 0)
-        process.returncode = os.waitstatus_to_exitcode(status)
+        code = os.waitstatus_to_exitcode(status)
+        process.returncode = code if code >= 0 else 128 - code  # as a shell and record say it
         errors.seek(0)
         return usage.ru_utime + usage.ru_stime, process.returncode, errors.read().decode(errors="replace")
 

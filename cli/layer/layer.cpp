@@ -186,14 +186,14 @@ cl_int CL_API_CALL release_kernel(cl_kernel kernel) {
   return driver.clReleaseKernel(kernel);
 }
 
-// What a parameter is follows from what may be said of it: NULL is no value of a number, and a size other
-// than a handle's no memory object's. clGetKernelArgInfo knows only where the program was built with an
-// option for it.
+// What a parameter is follows from what may be said of it: NULL is no value of a number, and local memory has
+// no value. clGetKernelArgInfo knows only where the program was built with an option for it.
 warpgrain::layer::Parameter ask_parameter(cl_kernel kernel, cl_uint index) {
   using warpgrain::layer::Parameter;
-  if (driver.clSetKernelArg(kernel, index, sizeof(cl_mem), nullptr) != CL_SUCCESS) return Parameter::value;
-  return driver.clSetKernelArg(kernel, index, 2 * sizeof(cl_mem), nullptr) == CL_SUCCESS ? Parameter::local
-                                                                                         : Parameter::pointer;
+  static constexpr cl_mem no_memory = nullptr;
+  if (driver.clSetKernelArg(kernel, index, sizeof no_memory, nullptr) != CL_SUCCESS) return Parameter::value;
+  return driver.clSetKernelArg(kernel, index, sizeof no_memory, &no_memory) == CL_SUCCESS ? Parameter::pointer
+                                                                                          : Parameter::local;
 }
 
 cl_int CL_API_CALL set_argument(cl_kernel kernel, cl_uint index, size_t size, const void* value) {
