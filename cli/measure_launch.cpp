@@ -62,8 +62,8 @@ reports::MeasuredReport::Agreement compare(const BoundArgument& device,
 
 reports::MeasuredReport measure_launch(const LaunchMeasurement& what) {
   const CudaAssembler assembler = cuda_assembler(what.assembler, "--assembler");
-  const CudaDevice device(what.device);
   const profiler::LaunchFile file = profiler::read_launch_file(what.launch);
+  const CudaDevice device(what.device);
   LoadedLaunch loaded = profiler::load_launch(file, what.build_options);
   const CudaProgram program = assemble_for_cuda(device, assembler, loaded.program.ptx, what.launch);
   if (!what.keep.empty()) keep_program(program, what.keep, file.path.stem().string());
