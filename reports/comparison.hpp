@@ -22,7 +22,7 @@ namespace warpgrain::reports {
 inline constexpr std::string_view comparison_format = "warpgrain.comparison/1";
 
 // What a document says of a kernel: metrics by the keys of reports/metrics.hpp, `launches` of it that they
-// are the sums of, and `seconds` (median) where it was timed.
+// are the sums of, and `seconds`: measured ones (median), of a report those predicted.
 struct KernelQuantities {
   std::string kernel;
   std::map<std::string, double> values;

@@ -30,6 +30,7 @@ std::vector<KernelQuantities> of_report(const Report& report) {
       values[key] += static_cast<double>(count);
     };
     add(launches, kernel.launches);
+    if (kernel.predicted) values[seconds] += kernel.predicted->seconds;
     add("warp_instructions", t.warp_instructions);
     add("thread_instructions", t.thread_instructions);
     add("branches", t.branches);
