@@ -76,6 +76,8 @@ std::unique_ptr<CLI::App> make_app(Action& chosen) {
 #endif
   add_report_command(*app, chosen);
   add_merge_command(*app, chosen);
+  add_completion_command(*app, chosen);
+  add_man_command(*app, chosen);
   return app;
 }
 

@@ -21,6 +21,8 @@ void add_paper_command(CLI::App& app, Action& chosen);
 void add_report_command(CLI::App& app, Action& chosen);
 void add_merge_command(CLI::App& app, Action& chosen);
 void add_compare_command(CLI::App& app, Action& chosen);
+void add_completion_command(CLI::App& app, Action& chosen);
+void add_man_command(CLI::App& app, Action& chosen);
 
 // The whole command, ready to parse.
 std::unique_ptr<CLI::App> make_app(Action& chosen);
