@@ -85,7 +85,7 @@ std::string zsh(const CLI::App& app) {
 }
 
 // Within single quotes.
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   std::string result = "'";
   for (const char c : text) result += c == '\'' || c == '\\' ? std::string("\\") + c : std::string(1, c);
   return result + "'";
@@ -96,13 +96,13 @@ std::string fish(const CLI::App& app) {
   const std::map<std::string, Words> values = named_values();
   for (const CLI::App* command : commands_of(app)) {
     script += fmt::format("complete -c warpgrain -n __fish_use_subcommand -f -a {} -d {}\n",
-                          command->get_name(), quoted(command->get_description()));
+                          command->get_name(), in_quotes(command->get_description()));
     for (const CLI::Option* option : command->get_options())
       for (const std::string& name : option->get_lnames()) {
         script += fmt::format("complete -c warpgrain -n '__fish_seen_subcommand_from {}' -l {} -d {}",
-                              command->get_name(), name, quoted(option->get_description()));
+                              command->get_name(), name, in_quotes(option->get_description()));
         if (const auto found = values.find("--" + name); found != values.end())
-          script += fmt::format(" -x -a {}", quoted(fmt::format("{}", fmt::join(found->second, " "))));
+          script += fmt::format(" -x -a {}", in_quotes(fmt::format("{}", fmt::join(found->second, " "))));
         script += '\n';
       }
   }
