@@ -7,7 +7,7 @@
 #include "prelude.h"
 #include "status.h"
 
-// Slots of a particle; 0: the law keeps no history, and the arrays are not there.
+// Slots of a particle; 0: no history is kept, and the arrays are not there.
 #ifndef CONTACT_SLOTS
 #define CONTACT_SLOTS 16
 #endif
@@ -159,6 +159,15 @@ DEVICE_FUNCTION ContactHistory history_of_pair(ContactHistory history, uint othe
 #define HISTORY_OF(particle, rank, n_after) 0
 #define HISTORY_OF_PAIR(particle, rank, slot, other, slot_of_other) 0
 typedef int ContactHistory;
+
+DEVICE_FUNCTION real3 remembered_displacement(const ContactHistory* history, uint partner) {
+  (void)history, (void)partner;
+  return make_real3(REAL(0.0), REAL(0.0), REAL(0.0));
+}
+#define remembered_displacement_without_branches remembered_displacement
+DEVICE_FUNCTION void remember_displacement(ContactHistory* history, uint partner, real3 displacement) {
+  (void)history, (void)partner, (void)displacement;
+}
 #endif
 
 #endif

@@ -5,7 +5,7 @@
 //   position_radius       Place [n]    x, y, z, radius: place.h
 //   velocity_mass         real4 [n]    vx, vy, vz, mass
 //   angular_velocity      real4 [n]    wx, wy, wz, unused
-//   rank_material         uint2 [n]    rank, index of the material
+//   rank_material         uint2 [n]    rank, index of the material; uint [n] without STORES_MATERIALS
 //   force, torque         real4 [n]    x, y, z, unused; gravity included
 //   contact_counts        uint2 [n]    touching particles, touching walls; the sum is what slots were needed
 //   history_partners      uint [n * CONTACT_SLOTS]       rank, or WALL_PARTNER_BIT | index of the wall
@@ -18,10 +18,11 @@
 //   near_counts           uint [n]         how many entries
 //   listed_positions      Place [n]        where particles were when lists with a skin were made
 //   lists_outdated        uint [1]         whether such lists may miss a contact
-//   fixed_sums            long [6 * n]     force and torque in quanta, where they are added up by atomics
+//   fixed_sums            long [SUM_REALS * n]   force, torque in quanta, where they are added up by atomics
 //   contact_parameters    real4 [n_materials * n_materials]   C_kn, C_kt, alpha, mu
 //   walls                 WallLayout [n_walls]; FixedWallLayout where places are fixed-point
 //   status                uint [STATUS_SIZE]
+// Arrays of what a scene does without (features.h) are not there.
 #ifndef WARPGRAIN_LAYOUT_H
 #define WARPGRAIN_LAYOUT_H
 
@@ -40,6 +41,8 @@
   struct name
 #define LAYOUT_TRIPLE Triple<real>
 #define LAYOUT_PLACE Triple<coordinate>
+#define LAYOUT_COORDINATE coordinate
+#define LAYOUT_CONSTANTS ContactConstants<real>
 #define LAYOUT_UINT std::uint32_t
 #define LAYOUT_LONG std::int64_t
 namespace warpgrain::layout {
@@ -50,6 +53,8 @@ namespace warpgrain::layout {
 #define LAYOUT_STRUCT_WITH_PLACES(name) LAYOUT_STRUCT(name)
 #define LAYOUT_TRIPLE Triple
 #define LAYOUT_PLACE PlaceTriple
+#define LAYOUT_COORDINATE coordinate
+#define LAYOUT_CONSTANTS ContactConstants
 #define LAYOUT_UINT uint
 #define LAYOUT_LONG long
 #endif
@@ -60,6 +65,13 @@ typedef struct {
   coordinate x, y, z;
 } PlaceTriple;
 #endif
+
+// What all contacts with other particles, or all with walls, have in common, where they do.
+LAYOUT_STRUCT(ContactConstants) {
+  real normal_parameter, tangential_parameter, damping_parameter, friction_coefficient;
+  real effective_radius, effective_mass;
+  real radius_ratio, mass_ratio;  // as in contact_law.h
+};
 
 // What every kernel of a step may need, passed by value.
 LAYOUT_STRUCT_WITH_PLACES(StepParameters) {
@@ -76,6 +88,11 @@ LAYOUT_STRUCT_WITH_PLACES(StepParameters) {
   LAYOUT_UINT n_walls;
   LAYOUT_UINT cells_x, cells_y, cells_z;
   LAYOUT_UINT n_cells;  // numbers of cells; some may be of none
+  // Where all particles are alike.
+  LAYOUT_COORDINATE radius;
+  real mass;
+  real step_per_mass, step_per_inertia;  // the time step over the mass, over the moment of inertia
+  LAYOUT_CONSTANTS of_pairs, of_walls;
 };
 
 LAYOUT_STRUCT(WallLayout) {

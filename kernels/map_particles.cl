@@ -6,7 +6,7 @@
 #include "prelude.h"
 
 KERNEL void map_particles(const StepParameters p, GLOBAL const Place* position_radius,
-                          GLOBAL const uint2* rank_material, GLOBAL ulong* cell_keys,
+                          GLOBAL const Identity* rank_material, GLOBAL ulong* cell_keys,
                           GLOBAL uint* particle_of_rank, GLOBAL uint* status) {
   const uint particle = work_item();
   if (particle >= p.n_keys) return;
@@ -14,7 +14,7 @@ KERNEL void map_particles(const StepParameters p, GLOBAL const Place* position_r
     cell_keys[particle] = ~(ulong)0;
     return;
   }
-  const uint rank = rank_material[particle].x;
+  const uint rank = rank_in(rank_material[particle]);
   const Place place = position_radius[particle];
 
   uint cell_of_particle = 0;

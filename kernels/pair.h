@@ -4,6 +4,7 @@
 
 #include "contact/contact_law.h"
 #include "overlap.h"
+#include "particle_access.h"
 #include "prelude.h"
 
 #ifdef FIXED_POINT
@@ -18,6 +19,9 @@ typedef struct {
 } Pair;
 
 DEVICE_FUNCTION Pair pair_with(Place place, Place other) {
+#if !HAS_RADII
+  other.w = place.w;
+#endif
   Pair pair;
   pair.separation = way_between(place, other);
   pair.square = dot(pair.separation, pair.separation);
@@ -46,24 +50,31 @@ DEVICE_FUNCTION Touch touch_of(const Pair* pair) {
 
 // Of a pair that touches; `other` is the partner's index in the arrays.
 DEVICE_FUNCTION Contact contact_of(const Particle* particle, const Pair* pair, uint other,
-                                   GLOBAL const real4* velocity_mass, GLOBAL const real4* angular_velocity,
-                                   GLOBAL const uint2* rank_material) {
-  const real4 motion = velocity_mass[other];
-  const uint2 identity = rank_material[other];
+                                   const Particles* particles) {
+  const real4 motion = motion_of(particles, other);
+  const Identity identity = particles->rank_material[other];
   const Touch touch = touch_of(pair);
   Contact contact;
   contact.contact_normal = touch.contact_normal;
   contact.overlap = touch.overlap;
   contact.velocity = xyz(motion);
-  contact.surface_rotation = pair->radius * xyz(angular_velocity[other]);
+#if HAS_ROTATION
+  contact.surface_rotation = pair->radius * xyz(particles->angular_velocity[other]);
+#else
+  contact.surface_rotation = NO_FORCE;
+#endif
   contact.inverse_radius = quotient(REAL(1.0), pair->radius);
-  contact.inverse_mass = quotient(REAL(1.0), motion.w);
+#if HAS_MASSES
+  contact.mass = motion.w;
+#else
+  contact.mass = particle->mass;
+#endif
+  contact.inverse_mass = quotient(REAL(1.0), contact.mass);
   contact.radius = pair->radius;
   contact.radius_ratio = pair->reach * particle->inverse_radius;
-  contact.mass = motion.w;
-  contact.mass_ratio = (particle->mass + motion.w) * particle->inverse_mass;
-  contact.partner = identity.x;
-  contact.material = identity.y;
+  contact.mass_ratio = (particle->mass + contact.mass) * particle->inverse_mass;
+  contact.partner = rank_in(identity);
+  contact.material = material_in(identity);
   return contact;
 }
 

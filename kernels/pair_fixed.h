@@ -21,6 +21,9 @@ typedef struct {
 } Pair;
 
 DEVICE_FUNCTION Pair pair_with(Place place, Place other) {
+#if !HAS_RADII
+  other.w = place.w;
+#endif
   Pair pair;
   pair.x = other.x - place.x;
   pair.y = other.y - place.y;

@@ -7,6 +7,7 @@
 #elif defined(__CUDACC__)
 #include "prelude_cuda.h"
 #endif
+#include "features.h"
 #include "layout.h"
 
 // Of the size that keeps a root and its inverse finite; nothing of a scene is as small.

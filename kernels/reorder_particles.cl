@@ -4,6 +4,11 @@
 #include "contact_history.h"
 #include "prelude.h"
 
+#if HAS_ROTATION
+#define ROTATION_MOVE_PARAMETERS , GLOBAL const real4 *angular_velocity_in, GLOBAL real4 *angular_velocity
+#else
+#define ROTATION_MOVE_PARAMETERS
+#endif
 #if CONTACT_SLOTS > 0
 #define HISTORY_MOVE_PARAMETERS                                                               \
   , GLOBAL const uint2 *counts_in, GLOBAL const uint *partners_in,                            \
@@ -13,20 +18,21 @@
 #define HISTORY_MOVE_PARAMETERS
 #endif
 
-KERNEL void reorder_particles(const StepParameters p, GLOBAL const ulong* cell_keys,
-                              GLOBAL const uint* particle_of_rank, GLOBAL const Place* position_radius_in,
-                              GLOBAL const real4* velocity_mass_in, GLOBAL const real4* angular_velocity_in,
-                              GLOBAL const uint2* rank_material_in, GLOBAL Place* position_radius,
-                              GLOBAL real4* velocity_mass, GLOBAL real4* angular_velocity,
-                              GLOBAL uint2* rank_material HISTORY_MOVE_PARAMETERS) {
+KERNEL void reorder_particles(
+    const StepParameters p, GLOBAL const ulong* cell_keys, GLOBAL const uint* particle_of_rank,
+    GLOBAL const Place* position_radius_in, GLOBAL const real4* velocity_mass_in,
+    GLOBAL const Identity* rank_material_in, GLOBAL Place* position_radius, GLOBAL real4* velocity_mass,
+    GLOBAL Identity* rank_material ROTATION_MOVE_PARAMETERS HISTORY_MOVE_PARAMETERS) {
   const uint place = work_item();
   if (place >= p.n_particles) return;  // branch: beyond the last particle
   const uint origin = particle_of_rank[(uint)cell_keys[place]];
 
   position_radius[place] = position_radius_in[origin];
   velocity_mass[place] = velocity_mass_in[origin];
-  angular_velocity[place] = angular_velocity_in[origin];
   rank_material[place] = rank_material_in[origin];
+#if HAS_ROTATION
+  angular_velocity[place] = angular_velocity_in[origin];
+#endif
 
 #if CONTACT_SLOTS > 0
   const uint2 count = counts_in[origin];

@@ -42,4 +42,11 @@ DEVICE_FUNCTION bool touch_plane(CONSTANT const Wall* wall, Place place, Touch* 
 }
 #endif
 
+// Known where a scene has walls of one kind.
+#if HAS_PLANES && HAS_RECTANGLES
+#define is_rectangle(wall) ((wall)->is_rectangle)
+#else
+#define is_rectangle(wall) HAS_RECTANGLES
+#endif
+
 #endif

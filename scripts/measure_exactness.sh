@@ -27,7 +27,7 @@ export_launches() {
   done
   for variant in "${variants[@]}"; do
     folder=$launches/${variant//\//-}
-    "$warpgrain" profile --scene tests/exactness/scenes/dense_bed.json --variant "$variant" --unchecked --quiet \
+    "$warpgrain" profile --scene tests/exactness/scenes/dense_bed.json --variant "$variant" --model full --unchecked --quiet \
       --json "$launches/.report.json" --export "$folder" || echo "export: $variant failed" >&2
   done
   # Of the kernels that no variant changes one copy is enough.

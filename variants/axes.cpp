@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "variants/contact_laws.hpp"
 #include "variants/math_modes.hpp"
+#include "variants/models.hpp"
 #include "variants/orders.hpp"
 #include "variants/precisions.hpp"
 #include "variants/searches.hpp"
@@ -60,7 +61,8 @@ std::span<const Axis> axes() {
        axis("math", "the accuracy of built-in functions", "default", values_of(math_modes())),
        tuning_axis("sort", "how the map of particles and cells is sorted", "bitonic", values_of(sorts())),
        tuning_axis("cell_size", "the cells of the collision grid", "1", values_of(cell_sizes())),
-       tuning_axis("work_group_size", "work-items of a work-group", "128", values_of(work_groups()))}};
+       tuning_axis("work_group_size", "work-items of a work-group", "128", values_of(work_groups())),
+       tuning_axis("model", "how much of the model is computed", "needed", values_of(model_extents()))}};
   return table;
 }
 

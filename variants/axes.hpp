@@ -28,10 +28,20 @@ struct Axis {
 
 // In the order of a variant's name.
 std::span<const Axis> axes();
-inline constexpr std::size_t n_axes = 8;
+inline constexpr std::size_t n_axes = 9;
 // Throws InputError that lists the valid names.
 const Axis& axis_named(std::string_view name);
-enum class AxisId : std::size_t { contact, search, order, precision, math, sort, cell_size, work_group_size };
+enum class AxisId : std::size_t {
+  contact,
+  search,
+  order,
+  precision,
+  math,
+  sort,
+  cell_size,
+  work_group_size,
+  model
+};
 
 class Variant {
  public:

@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "variants/math_modes.hpp"
+#include "variants/models.hpp"
 #include "variants/orders.hpp"
 #include "variants/precisions.hpp"
 #include "variants/searches.hpp"
@@ -53,6 +54,9 @@ const WorkGroup& work_group_of(const Variant& variant) {
 const Order& order_of(const Variant& variant) { return row_of(orders(), variant, AxisId::order); }
 const Precision& precision_of(const Variant& variant) {
   return row_of(precisions(), variant, AxisId::precision);
+}
+const ModelExtent& model_of(const Variant& variant) {
+  return row_of(model_extents(), variant, AxisId::model);
 }
 const MathMode& math_mode(const Variant& variant) { return row_of(math_modes(), variant, AxisId::math); }
 

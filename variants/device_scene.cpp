@@ -15,6 +15,7 @@
 #include "variants/precisions.hpp"
 #include "variants/searches.hpp"
 #include "variants/sorts.hpp"
+#include "variants/touching_pairs.hpp"
 #include "variants/tuning.hpp"
 
 namespace warpgrain {
@@ -63,14 +64,38 @@ layout::Triple<real> triple(const Vector3d& v) {
   return {static_cast<real>(v.x()), static_cast<real>(v.y()), static_cast<real>(v.z())};
 }
 
-// `place` makes a triple of coordinates of a place.
+// Of contacts between particles of that radius and mass, or of one with a wall, whose inverses are 0. In the
+// order of kernels/pair.h and contact_law.h.
+template <class real>
+layout::ContactConstants<real> contact_constants(const std::vector<ContactParameters>& pairs, real radius,
+                                                 real mass, real inverse_radius, real inverse_mass) {
+  const ContactParameters p = pairs.empty() ? ContactParameters{} : pairs.front();
+  const bool is_wall = inverse_radius == 0;
+  return {.normal_parameter = static_cast<real>(p.normal_parameter),
+          .tangential_parameter = static_cast<real>(p.tangential_parameter),
+          .damping_parameter = static_cast<real>(p.damping_parameter),
+          .friction_coefficient = static_cast<real>(p.friction_coefficient),
+          .effective_radius = 1 / (1 / radius + inverse_radius),
+          .effective_mass = 1 / (1 / mass + inverse_mass),
+          .radius_ratio = is_wall ? 1 : (radius + radius) * inverse_radius,
+          .mass_ratio = is_wall ? 1 : (mass + mass) * inverse_mass};
+}
+
+// `place` makes a triple of coordinates of a place, or of lengths.
 template <class real, class Place>
 auto step_parameters(const Scene& scene, const DeviceScene& device, const GridGeometry& grid, Place place) {
   const SimpleParameters& simple = scene.model.simple;
+  // What particles have in common; read by kernels of scenes where they have.
+  const auto time_step = static_cast<real>(scene.time_step);
+  const double length = scene.particles.radius.front();
+  const auto radius = static_cast<real>(
+      device.fixed_point ? device.fixed_point->length(device.fixed_point->units(length)) : length);
+  const auto mass = static_cast<real>(scene.particles.mass.front());
+  const TouchingPairs pairs(scene);
   return layout::StepParameters<real, decltype(place(scene.domain.lower).x)>{
       .lower = place(scene.domain.lower),
       .upper = place(scene.domain.upper),
-      .time_step = static_cast<real>(scene.time_step),
+      .time_step = time_step,
       .gravity = triple<real>(scene.gravity),
       .inverse_cell_size = static_cast<real>(1 / grid.cell_edge),
       .quanta_per_force = static_cast<real>(device.quanta_per_force),
@@ -86,7 +111,13 @@ auto step_parameters(const Scene& scene, const DeviceScene& device, const GridGe
       .cells_x = grid.n_cells[0],
       .cells_y = grid.n_cells[1],
       .cells_z = grid.n_cells[2],
-      .n_cells = device.n_cells};
+      .n_cells = device.n_cells,
+      .radius = place(Vector3d::Constant(length)).x,
+      .mass = mass,
+      .step_per_mass = time_step / mass,
+      .step_per_inertia = time_step / (static_cast<real>(0.4) * mass * radius * radius),
+      .of_pairs = contact_constants<real>(pairs.of_particles, radius, mass, 1 / radius, 1 / mass),
+      .of_walls = contact_constants<real>(pairs.of_walls, radius, mass, 0, 0)};
 }
 
 // Volatile, because GCC 12 drops a conversion to float and back where it vectorises.
@@ -196,28 +227,32 @@ void fill(const Scene& scene, const GridGeometry& grid, DeviceScene& device) {
   using enum DeviceArray;
   const ParticleState& particles = scene.particles;
   auto& contents = device.contents;
+  const SceneFeatures& features = device.features;
+  const bool has_walls = features.model_walls();
   if (device.fixed_point) {
     device.parameters = bytes_of_one(step_parameters<real>(scene, device, grid, [&](const Vector3d& v) {
       return layout::Triple<std::int64_t>{device.fixed_point->units(v.x()), device.fixed_point->units(v.y()),
                                           device.fixed_point->units(v.z())};
     }));
     contents[position_radius] = fixed_places(particles, *device.fixed_point);
-    contents[walls] = fixed_wall_rows(scene.walls, *device.fixed_point);
+    if (has_walls) contents[walls] = fixed_wall_rows(scene.walls, *device.fixed_point);
   } else {
     device.parameters = bytes_of_one(step_parameters<real>(scene, device, grid, triple<real>));
     contents[position_radius] =
         packed<real>(particles.position, [&](std::size_t k) { return particles.radius[k]; });
-    contents[walls] = wall_rows<real>(scene.walls);
+    if (has_walls) contents[walls] = wall_rows<real>(scene.walls);
   }
   contents[velocity_mass] =
       packed<real>(particles.velocity, [&](std::size_t k) { return particles.mass[k]; });
-  contents[angular_velocity] = packed<real>(particles.angular_velocity, [](std::size_t) { return 0.0; });
+  if (features.model(FeatureId::rotation))
+    contents[angular_velocity] = packed<real>(particles.angular_velocity, [](std::size_t) { return 0.0; });
   std::vector<std::uint32_t> identity;
   for (std::uint32_t rank = 0; rank < particles.size(); ++rank) {
-    identity.insert(identity.end(), {rank, particles.material[rank]});
+    identity.push_back(rank);
+    if (features.store_materials()) identity.push_back(particles.material[rank]);
   }
   contents[rank_material] = bytes_of<std::uint32_t>(identity);
-  contents[contact_parameters] = contact_parameter_rows<real>(scene.contacts);
+  if (features.store_materials()) contents[contact_parameters] = contact_parameter_rows<real>(scene.contacts);
   if (device.keeps_history) lay_out_history<real>(particles, device);
 }
 
@@ -237,15 +272,17 @@ void size_arrays(const Variant& variant, DeviceScene& device) {
   const std::size_t n = device.n_particles, real_bytes = device.is_fp64 ? 8 : 4;
   const bool reorders = order_of(variant).moves_particles;
   auto& bytes = device.bytes;
-  for (DeviceArray vectors : {velocity_mass, angular_velocity, force, torque})
-    bytes[vectors] = 4 * real_bytes * n;
+  for (DeviceArray vectors : {velocity_mass, force}) bytes[vectors] = 4 * real_bytes * n;
+  if (device.features.model(FeatureId::rotation))
+    bytes[angular_velocity] = bytes[torque] = 4 * real_bytes * n;
   bytes[position_radius] = device.contents[position_radius].size();
-  for (DeviceArray pairs : {rank_material, contact_counts}) bytes[pairs] = 8 * n;
+  bytes[rank_material] = device.contents[rank_material].size();
+  bytes[contact_counts] = 8 * n;
   if (reorders) {
     bytes[position_radius_spare] = bytes[position_radius];
-    for (DeviceArray vectors : {velocity_mass_spare, angular_velocity_spare})
-      bytes[vectors] = 4 * real_bytes * n;
-    bytes[rank_material_spare] = 8 * n;
+    bytes[velocity_mass_spare] = bytes[velocity_mass];
+    bytes[angular_velocity_spare] = bytes[angular_velocity];
+    bytes[rank_material_spare] = bytes[rank_material];
   }
   if (device.keeps_history) {
     bytes[contact_counts_before] = 8 * n;
@@ -260,7 +297,8 @@ void size_arrays(const Variant& variant, DeviceScene& device) {
     bytes[cell_keys_spare] = bytes[cell_keys];
     bytes[scan_sums] = 4 * ((std::size_t{device.n_cells} + SCAN_BLOCK - 1) / SCAN_BLOCK);
   }
-  if (search_of(variant).needs_long_atomics) bytes[fixed_sums] = 8 * 6 * n;
+  if (search_of(variant).needs_long_atomics)
+    bytes[fixed_sums] = 8 * n * (device.features.model(FeatureId::rotation) ? 6 : 3);
   bytes[near] = 4 * std::size_t{device.list_slots} * n;
   if (search_of(variant).lists == Lists::neighbours) {
     bytes[near_counts] = 4 * n;
@@ -275,6 +313,12 @@ void size_arrays(const Variant& variant, DeviceScene& device) {
 }
 
 }  // namespace
+
+std::size_t device_bytes(const DeviceScene& device) {
+  std::size_t sum = 0;
+  for (std::size_t k = 0; k < n_device_arrays; ++k) sum += device.bytes[static_cast<DeviceArray>(k)];
+  return sum;
+}
 
 std::uint32_t contact_slots_for(const ParticleState& particles) {
   const auto [smallest, largest] = std::ranges::minmax(particles.radius);
@@ -301,7 +345,8 @@ DeviceScene lay_out(const Scene& scene, const Variant& variant) {
   if (particles.size() == 0) throw_input_error("scene: particles", "none", "at least one");
   DeviceScene device;
   device.is_fp64 = precision_of(variant).is_fp64;
-  device.keeps_history = contact_law(variant).keeps_history;
+  device.features = features_of(scene, variant);
+  device.keeps_history = device.features.model(FeatureId::history);
   device.contact_slots = device.keeps_history ? contact_slots_for(particles) : 0;
   if (precision_of(variant).has_half_history)
     device.half_history = HalfHistory(std::ranges::min(particles.radius));

@@ -13,6 +13,7 @@
 #include "variants/device_arrays.hpp"
 #include "variants/fixed_point.hpp"
 #include "variants/half_history.hpp"
+#include "variants/scene_features.hpp"
 
 namespace warpgrain {
 
@@ -22,6 +23,7 @@ struct DeviceScene {
   bool keeps_history = false;
   std::optional<HalfHistory> half_history;  // where displacements are not stored as reals
   std::uint32_t contact_slots = 0;          // of a particle; 0 without history
+  SceneFeatures features;
   std::uint32_t n_particles = 0;
   std::uint32_t n_keys = 0;      // n_particles padded to a power of two, at least a block of the sort
   std::uint32_t n_cells = 0;     // numbers of cells
@@ -37,6 +39,9 @@ struct DeviceScene {
 // Throws InputError for a scene that no device can hold, SimulationError when a particle's contact history
 // does not fit its slots.
 DeviceScene lay_out(const Scene& scene, const Variant& variant);
+
+// What the arrays of a device take.
+std::size_t device_bytes(const DeviceScene& device);
 
 // Contact slots that no particle can run out of while overlaps are small: how many spheres of the smallest
 // radius touch one of the largest, and three walls.

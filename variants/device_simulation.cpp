@@ -48,6 +48,9 @@ DeviceSimulation::DeviceSimulation(const Scene& scene, const Variant& variant, c
   bytes_ = layout.bytes;
   contact_slots_ = layout.contact_slots;
   is_fp64_ = layout.is_fp64;
+  if (!layout.features.model(FeatureId::rotation))
+    for (const Vector3d& spin : scene.particles.angular_velocity)
+      constant_spin_.push_back(is_fp64_ ? spin : Vector3d(spin.cast<float>().cast<double>()));
   fixed_point_ = layout.fixed_point;
   half_history_ = layout.half_history;
   plan_ = make_step_plan(scene, variant, layout, KernelSources(options.kernel_folder));
@@ -105,7 +108,7 @@ void DeviceSimulation::step(std::uint64_t n) {
 template <class T>
 std::vector<T> DeviceSimulation::download(DeviceArray array) const {
   std::vector<T> values(bytes_[array] / sizeof(T));
-  device_->read(array, std::as_writable_bytes(std::span(values)));
+  if (!values.empty()) device_->read(array, std::as_writable_bytes(std::span(values)));
   return values;
 }
 
@@ -132,7 +135,9 @@ std::vector<double> DeviceSimulation::download_displacements_before() const {
 std::vector<std::uint32_t> DeviceSimulation::places_by_id() const {
   const std::vector<std::uint32_t> rank_material = download<std::uint32_t>(DeviceArray::rank_material);
   std::vector<std::uint32_t> place_of_rank(id_.size());
-  for (std::uint32_t place = 0; place < id_.size(); ++place) place_of_rank[rank_material[2 * place]] = place;
+  const std::size_t stride = rank_material.size() / id_.size();
+  for (std::uint32_t place = 0; place < id_.size(); ++place)
+    place_of_rank[rank_material[stride * place]] = place;
   std::vector<std::uint32_t> places;
   places.reserve(id_.size());
   for (std::uint32_t rank : ranks_by_id_) places.push_back(place_of_rank[rank]);
@@ -177,7 +182,8 @@ ParticleState DeviceSimulation::state() const {
     state.mass.push_back(velocity[4 * places[k] + 3]);
     state.position.push_back(vector_at(position, places[k], 4));
     state.velocity.push_back(vector_at(velocity, places[k], 4));
-    state.angular_velocity.push_back(vector_at(angular_velocity, places[k], 4));
+    state.angular_velocity.push_back(angular_velocity.empty() ? constant_spin_[rank]
+                                                              : vector_at(angular_velocity, places[k], 4));
   }
   state.contact_history = history_before(places);
   return state;
@@ -190,7 +196,7 @@ ForceState DeviceSimulation::forces() const {
   ForceState forces;
   for (std::uint32_t place : places_by_id()) {
     forces.force.push_back(vector_at(force, place, 4));
-    forces.torque.push_back(vector_at(torque, place, 4));
+    forces.torque.push_back(torque.empty() ? Vector3d::Zero() : vector_at(torque, place, 4));
   }
   return forces;
 }

@@ -45,6 +45,8 @@ class DeviceSimulation : public Simulation {
   // By rank, [n_particles]: what does not change, as the scene gave it.
   std::vector<std::uint32_t> id_, material_;
   std::vector<std::uint32_t> ranks_by_id_;
+  // By rank, as a device would hold them: of scenes without rotation, where spins never change.
+  std::vector<Vector3d> constant_spin_;
   PerArray<std::size_t> bytes_;
   std::uint32_t contact_slots_ = 0;
   bool is_fp64_ = false;

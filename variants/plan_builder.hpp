@@ -34,25 +34,51 @@ class PlanBuilder {
   KernelLaunch& launch_in_groups(std::size_t unit, const char* kernel, std::size_t n_elements,
                                  std::size_t group, const Arguments&... arguments) {
     const std::size_t groups = (n_elements + group - 1) / group;
-    target_->push_back(KernelLaunch{unit, kernel, groups * group, group, {argument(arguments)...}});
+    KernelLaunch launch{unit, kernel, groups * group, group, {}};
+    (append(launch.arguments, arguments), ...);
+    target_->push_back(std::move(launch));
     return std::get<KernelLaunch>(target_->back());
   }
   void add(KernelLaunch launch) { target_->push_back(std::move(launch)); }
-  void swap(DeviceArray first, DeviceArray second) { target_->push_back(ArraySwap{first, second}); }
+  void swap(DeviceArray first, DeviceArray second) {
+    if (device_.bytes[first] > 0) target_->push_back(ArraySwap{first, second});
+  }
+
+  // PARTICLE_PARAMETERS, SUM_PARAMETERS and MATERIAL_PARAMETER of kernels/ in that unit.
+  std::vector<DeviceArray> particles(bool reads_motion) const {
+    using enum DeviceArray;
+    std::vector<DeviceArray> arrays{position_radius};
+    if (reads_motion) arrays.push_back(velocity_mass);
+    arrays.insert(arrays.end(), {angular_velocity, rank_material});
+    return arrays;
+  }
+  std::vector<DeviceArray> sums() const { return {DeviceArray::force, DeviceArray::torque}; }
+  std::vector<DeviceArray> materials(FeatureId several) const {
+    if (!device_.features.model(several)) return {};
+    return {DeviceArray::contact_parameters};
+  }
 
   // Adds HISTORY_PARAMETERS of kernels/contact_history.h.
   void with_history(KernelLaunch& evaluation) const {
     using enum DeviceArray;
-    if (!device_.keeps_history) return;
-    for (DeviceArray array : {contact_counts_before, history_partners_before, history_displacements_before,
-                              history_partners, history_displacements})
-      evaluation.arguments.push_back(array);
+    append(evaluation.arguments, {contact_counts_before, history_partners_before,
+                                  history_displacements_before, history_partners, history_displacements});
   }
 
  private:
-  static LaunchArgument argument(DeviceArray array) { return array; }
-  static LaunchArgument argument(const std::vector<std::byte>& bytes) { return bytes; }
-  static LaunchArgument argument(std::uint32_t value) { return scalar_argument(value); }
+  // Arrays that the model does without are no arguments.
+  void append(std::vector<LaunchArgument>& arguments, DeviceArray array) const {
+    if (device_.bytes[array] > 0) arguments.emplace_back(array);
+  }
+  void append(std::vector<LaunchArgument>& arguments, const std::vector<DeviceArray>& arrays) const {
+    for (const DeviceArray array : arrays) append(arguments, array);
+  }
+  void append(std::vector<LaunchArgument>& arguments, const std::vector<std::byte>& bytes) const {
+    arguments.emplace_back(bytes);
+  }
+  void append(std::vector<LaunchArgument>& arguments, std::uint32_t value) const {
+    arguments.push_back(scalar_argument(value));
+  }
 
   const DeviceScene& device_;
   StepPlan plan_;

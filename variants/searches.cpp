@@ -11,31 +11,32 @@ using enum DeviceArray;
 
 void plan_cells(PlanBuilder& b) {
   b.with_history(b.launch(PlanBuilder::pair_unit, "force_between_particles", b.device().n_particles,
-                          cell_keys, cell_ranges, position_radius, velocity_mass, angular_velocity,
-                          rank_material, contact_parameters, force, torque, contact_counts, status));
+                          cell_keys, cell_ranges, b.particles(b.device().features.read_motion()),
+                          b.materials(FeatureId::pair_materials), b.sums(), contact_counts, status));
 }
 
 void plan_with_list(PlanBuilder& b) {
   b.with_history(b.launch(PlanBuilder::pair_unit, "force_between_particles", b.device().n_particles,
-                          cell_keys, cell_ranges, near, position_radius, velocity_mass, angular_velocity,
-                          rank_material, contact_parameters, force, torque, contact_counts, status));
+                          cell_keys, cell_ranges, near, b.particles(b.device().features.read_motion()),
+                          b.materials(FeatureId::pair_materials), b.sums(), contact_counts, status));
 }
 
 // The lists themselves are made where the grid is (step_plan.cpp).
 void plan_verlet(PlanBuilder& b) {
   b.with_history(b.launch(PlanBuilder::pair_unit, "force_between_particles", b.device().n_particles, near,
-                          near_counts, position_radius, velocity_mass, angular_velocity, rank_material,
-                          contact_parameters, force, torque, contact_counts, status));
+                          near_counts, b.particles(b.device().features.read_motion()),
+                          b.materials(FeatureId::pair_materials), b.sums(), contact_counts, status));
 }
 
 void plan_half_shell(PlanBuilder& b) {
   const std::size_t n = b.device().n_particles;
-  b.launch(PlanBuilder::pair_unit, "clear_sums", 6 * n, fixed_sums, contact_counts);
+  b.launch(PlanBuilder::pair_unit, "clear_sums", b.device().bytes[fixed_sums] / 8, fixed_sums,
+           contact_counts);
   b.with_history(b.launch(PlanBuilder::pair_unit, "force_of_pairs", n, cell_keys, cell_ranges, near,
-                          position_radius, velocity_mass, angular_velocity, rank_material, contact_parameters,
-                          fixed_sums, contact_counts, status));
-  b.launch(PlanBuilder::pair_unit, "force_of_sums", n, position_radius, velocity_mass, angular_velocity,
-           rank_material, fixed_sums, force, torque);
+                          b.particles(b.device().features.read_motion()),
+                          b.materials(FeatureId::pair_materials), fixed_sums, contact_counts, status));
+  b.launch(PlanBuilder::pair_unit, "force_of_sums", n, b.particles(b.device().features.read_motion()),
+           fixed_sums, b.sums());
 }
 
 }  // namespace

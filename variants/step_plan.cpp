@@ -32,20 +32,26 @@ std::vector<SourceUnit> source_units(const Scene& scene, const Variant& variant,
                                             std::string(sort_of(variant).file), "reorder_particles.cl",
                                             "find_cells.cl"};
   const std::vector<std::string> pair_files{law, search}, wall_files{law, "force_from_walls.cl"};
+  const SceneFeatures& features = device.features;
   std::string options =
       fmt::format("-cl-std=CL1.2 -D REAL_BITS={} -D CONTACT_SLOTS={} -D PARTICLE_WORK_GROUP={}",
                   device.is_fp64 ? 64 : 32, device.contact_slots, device.work_group);
   if (device.fixed_point) options += ' ' + device.fixed_point->build_options();
   if (device.half_history) options += ' ' + device.half_history->build_options();
-  const std::string wall_options = fmt::format(
+  const NormalForce normal_force =
+      features.model(FeatureId::repulsion) ? scene.model.normal_force : NormalForce::signed_;
+  const std::string law_options = fmt::format(
       "{} -D SLIP_HISTORY={} -D NORMAL_FORCE={} {}", options, static_cast<int>(scene.model.slip_history),
-      static_cast<int>(scene.model.normal_force), math_mode(variant).build_options);
+      static_cast<int>(normal_force), math_mode(variant).build_options);
   const std::string_view order = order_of(variant).build_options;
-  std::string pair_options = fmt::format("{} {} -D LIST_SLOTS={}", wall_options, order, device.list_slots);
+  std::string pair_options = fmt::format("{} {} -D LIST_SLOTS={}", law_options, order, device.list_slots);
   if (search_of(variant).needs_long_atomics) pair_options += " -D EACH_PAIR_ONCE";
-  return {{sources.bundle(grid_files), fmt::format("{} {}", options, order)},
-          {sources.bundle(pair_files), pair_options},
-          {sources.bundle(wall_files), wall_options}};
+  std::vector<SourceUnit> units{
+      {sources.bundle(grid_files), fmt::format("{} {}{}", options, order, features.grid_options())},
+      {sources.bundle(pair_files), pair_options + features.pair_options()}};
+  if (features.model_walls())
+    units.push_back({sources.bundle(wall_files), law_options + features.wall_options()});
+  return units;
 }
 
 void swap_history(PlanBuilder& b) {
@@ -59,8 +65,8 @@ void swap_history(PlanBuilder& b) {
 void reorder(PlanBuilder& b) {
   KernelLaunch& moved =
       b.launch(PlanBuilder::grid_unit, "reorder_particles", b.device().n_particles, cell_keys,
-               particle_of_rank, position_radius, velocity_mass, angular_velocity, rank_material,
-               position_radius_spare, velocity_mass_spare, angular_velocity_spare, rank_material_spare);
+               particle_of_rank, position_radius, velocity_mass, rank_material, position_radius_spare,
+               velocity_mass_spare, rank_material_spare, angular_velocity, angular_velocity_spare);
   if (b.device().keeps_history) {
     for (DeviceArray array : {contact_counts, history_partners, history_displacements, contact_counts_before,
                               history_partners_before, history_displacements_before})
@@ -98,14 +104,13 @@ StepPlan make_step_plan(const Scene& scene, const Variant& variant, const Device
   const std::size_t n = device.n_particles;
 
   b.begin(plan.integrate);
-  b.launch(PlanBuilder::grid_unit, "integrate", n, position_radius, velocity_mass, angular_velocity, force,
-           torque, status);
+  b.launch(PlanBuilder::grid_unit, "integrate", n, position_radius, velocity_mass, force, status,
+           angular_velocity, torque);
   b.begin(plan.map);
   make_map(b, variant);
   if (search_of(variant).lists == Lists::neighbours) {
     b.launch(PlanBuilder::pair_unit, "list_neighbours", n, cell_keys, cell_ranges, position_radius,
-             velocity_mass, angular_velocity, rank_material, near, near_counts, listed_positions,
-             lists_outdated, status);
+             rank_material, near, near_counts, listed_positions, lists_outdated, status);
     b.begin(plan.check_map);
     b.launch(PlanBuilder::pair_unit, "check_lists", n, position_radius, rank_material, listed_positions,
              lists_outdated, status);
@@ -114,9 +119,10 @@ StepPlan make_step_plan(const Scene& scene, const Variant& variant, const Device
   }
   b.begin(plan.forces);
   search_of(variant).plan_forces(b);
-  b.with_history(b.launch(PlanBuilder::wall_unit, "force_from_walls", n, walls, position_radius,
-                          velocity_mass, angular_velocity, rank_material, contact_parameters, force, torque,
-                          contact_counts, status));
+  if (device.features.model_walls())
+    b.with_history(b.launch(PlanBuilder::wall_unit, "force_from_walls", n, walls,
+                            b.particles(device.features.read_motion_at_walls()),
+                            b.materials(FeatureId::wall_materials), b.sums(), contact_counts, status));
   return std::move(plan);
 }
 

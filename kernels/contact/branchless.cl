@@ -10,10 +10,10 @@ DEVICE_FUNCTION real3 selected(bool condition, real3 yes, real3 no) {
 
 DEVICE_FUNCTION void apply_contact(const LawParameters* law, const Particle* particle, const Contact* contact,
                                    ContactHistory* history, ForceSum* sum) {
-  const real4 parameters = law->contact_parameters[particle->material * law->n_materials + contact->material];
+  const real4 parameters = parameters_of(law, particle, contact);
   const real3 n = contact->contact_normal;
-  const real effective_radius = quotient(REAL(1.0), particle->inverse_radius + contact->inverse_radius);
-  const real effective_mass = quotient(REAL(1.0), particle->inverse_mass + contact->inverse_mass);
+  const real effective_radius = effective_radius_of(law, particle, contact);
+  const real effective_mass = effective_mass_of(law, particle, contact);
   const real contact_radius = square_root(contact->overlap * effective_radius);
   const real normal_stiffness = parameters.x * contact_radius;                                     // eq. (8)
   const real tangential_stiffness = parameters.y * contact_radius;                                 // eq. (9)
@@ -24,14 +24,14 @@ DEVICE_FUNCTION void apply_contact(const LawParameters* law, const Particle* par
       remembered_displacement_without_branches(history, contact->partner), n, &motion, law->time_step);
 
   real normal_force =
-      normal_stiffness * contact->overlap + damping_coefficient * motion.normal_velocity;  // eq. (4)
+      normal_force_of(normal_stiffness, contact->overlap, damping_coefficient, &motion);  // eq. (4)
 #if NORMAL_FORCE == NORMAL_FORCE_REPULSIVE
   normal_force = fmax(normal_force, REAL(0.0));
 #endif
 
   const real friction_limit = parameters.w * fabs(normal_force);
-  const real3 spring_force = -tangential_stiffness * held_displacement;
-  const real3 damping_force = -damping_coefficient * motion.tangential_velocity;
+  const real3 spring_force = tangential_spring_force(tangential_stiffness, held_displacement);
+  const real3 damping_force = tangential_damping_force(damping_coefficient, &motion);
   const real3 held_force = spring_force + damping_force;  // eq. (4)
   const real3 tested_force = tested_by_friction(spring_force, held_force);
   const real tested_square = dot(tested_force, tested_force);

@@ -5,12 +5,10 @@
 
 DEVICE_FUNCTION void apply_contact(const LawParameters* law, const Particle* particle, const Contact* contact,
                                    ContactHistory* history, ForceSum* sum) {
-  const real4 parameters = law->contact_parameters[particle->material * law->n_materials + contact->material];
+  const real4 parameters = parameters_of(law, particle, contact);
   const real3 n = contact->contact_normal;
-  const real effective_radius =
-      quotient(REAL(1.0), quotient(REAL(1.0), particle->radius) + contact->inverse_radius);
-  const real effective_mass =
-      quotient(REAL(1.0), quotient(REAL(1.0), particle->mass) + contact->inverse_mass);
+  const real effective_radius = effective_radius_of(law, particle, contact);
+  const real effective_mass = effective_mass_of(law, particle, contact);
   const real contact_radius = square_root(contact->overlap * effective_radius);
   const real normal_stiffness = parameters.x * contact_radius;                                     // eq. (8)
   const real tangential_stiffness = parameters.y * contact_radius;                                 // eq. (9)
@@ -21,16 +19,15 @@ DEVICE_FUNCTION void apply_contact(const LawParameters* law, const Particle* par
   real3 tangential_displacement =
       continued_displacement(remembered_displacement(history, contact->partner), n, &motion, law->time_step);
 
-  // Along -n: positive pushes the particle away from its partner.
   real normal_force =
-      normal_stiffness * contact->overlap + damping_coefficient * motion.normal_velocity;  // eq. (4)
+      normal_force_of(normal_stiffness, contact->overlap, damping_coefficient, &motion);  // eq. (4)
 #if NORMAL_FORCE == NORMAL_FORCE_REPULSIVE
   if (normal_force < REAL(0.0)) normal_force = REAL(0.0);  // branch: pulling
 #endif
 
   const real friction_limit = friction_coefficient * fabs(normal_force);
-  const real3 spring_force = -tangential_stiffness * tangential_displacement;
-  const real3 damping_force = -damping_coefficient * motion.tangential_velocity;
+  const real3 spring_force = tangential_spring_force(tangential_stiffness, tangential_displacement);
+  const real3 damping_force = tangential_damping_force(damping_coefficient, &motion);
   real3 tangential_force = spring_force + damping_force;  // eq. (4)
   const real3 tested_force = tested_by_friction(spring_force, tangential_force);
   const real tested_square = dot(tested_force, tested_force);
@@ -38,7 +35,8 @@ DEVICE_FUNCTION void apply_contact(const LawParameters* law, const Particle* par
     tangential_force = tested_force * quotient(friction_limit, square_root(tested_square));  // eq. (5)
 #if SLIP_HISTORY != SLIP_HISTORY_PAPER
     if (tangential_stiffness > REAL(0.0)) {  // branch: tangential spring
-      tangential_displacement = -quotient_of_vector(held_by_spring(tangential_force, damping_force), tangential_stiffness);
+      tangential_displacement =
+          -quotient_of_vector(held_by_spring(tangential_force, damping_force), tangential_stiffness);
     }
 #endif
   }

@@ -23,30 +23,31 @@ DEVICE_FUNCTION real inverse_root_by_multiplication(real x) {
 
 DEVICE_FUNCTION void apply_contact(const LawParameters* law, const Particle* particle, const Contact* contact,
                                    ContactHistory* history, ForceSum* sum) {
-  const real4 parameters = law->contact_parameters[particle->material * law->n_materials + contact->material];
+  const real4 parameters = parameters_of(law, particle, contact);
   const real3 n = contact->contact_normal;
   const real area = contact->overlap * contact->radius;
-  const real inverse_root = reciprocal_square_root(fmax(area * contact->radius_ratio, SMALL_REAL));
+  const real inverse_root = reciprocal_square_root(fmax(area * radius_ratio_of(law, contact), SMALL_REAL));
   const real contact_radius = area * inverse_root;                  // sqrt(overlap R*)
   const real normal_stiffness = parameters.x * contact_radius;      // eq. (8)
   const real tangential_stiffness = parameters.y * contact_radius;  // eq. (9)
   const real damped = normal_stiffness * contact->mass;
   const real damping_coefficient =
-      parameters.z * damped * inverse_root_by_multiplication(damped * contact->mass_ratio);  // eq. (10)
+      parameters.z * damped *
+      inverse_root_by_multiplication(damped * mass_ratio_of(law, contact));  // eq. (10)
 
   const ContactMotion motion = contact_motion(particle, contact);
   real3 tangential_displacement =
       continued_displacement(remembered_displacement(history, contact->partner), n, &motion, law->time_step);
 
   real normal_force =
-      normal_stiffness * contact->overlap + damping_coefficient * motion.normal_velocity;  // eq. (4)
+      normal_force_of(normal_stiffness, contact->overlap, damping_coefficient, &motion);  // eq. (4)
 #if NORMAL_FORCE == NORMAL_FORCE_REPULSIVE
   normal_force = fmax(normal_force, REAL(0.0));
 #endif
 
   const real friction_limit = parameters.w * fabs(normal_force);
-  const real3 spring_force = -tangential_stiffness * tangential_displacement;
-  const real3 damping_force = -damping_coefficient * motion.tangential_velocity;
+  const real3 spring_force = tangential_spring_force(tangential_stiffness, tangential_displacement);
+  const real3 damping_force = tangential_damping_force(damping_coefficient, &motion);
   real3 tangential_force = spring_force + damping_force;  // eq. (4)
   const real3 tested_force = tested_by_friction(spring_force, tangential_force);
   const real tested_square = dot(tested_force, tested_force);
@@ -54,8 +55,8 @@ DEVICE_FUNCTION void apply_contact(const LawParameters* law, const Particle* par
     tangential_force = tested_force * (friction_limit * reciprocal_square_root(tested_square));  // eq. (5)
 #if SLIP_HISTORY != SLIP_HISTORY_PAPER
     if (tangential_stiffness > REAL(0.0)) {  // branch: tangential spring
-      tangential_displacement =
-          -held_by_spring(tangential_force, damping_force) * quotient(inverse_root * contact->radius_ratio, parameters.y);
+      tangential_displacement = -held_by_spring(tangential_force, damping_force) *
+                                quotient(inverse_root * radius_ratio_of(law, contact), parameters.y);
     }
 #endif
   }

@@ -8,17 +8,15 @@
 #include "prelude.h"
 
 KERNEL void force_between_particles(const StepParameters p, GLOBAL const ulong* cell_keys,
-                                    GLOBAL const uint2* cell_ranges, GLOBAL const Place* position_radius,
-                                    GLOBAL const real4* velocity_mass, GLOBAL const real4* angular_velocity,
-                                    GLOBAL const uint2* rank_material,
-                                    CONSTANT const real4* contact_parameters, GLOBAL real4* force,
-                                    GLOBAL real4* torque, GLOBAL uint2* contact_counts,
+                                    GLOBAL const uint2* cell_ranges, PARTICLE_PARAMETERS MATERIAL_PARAMETER,
+                                    SUM_PARAMETERS, GLOBAL uint2* contact_counts,
                                     GLOBAL uint* status HISTORY_PARAMETERS) {
   const uint self = work_item();
   if (self >= p.n_particles) return;  // branch: beyond the last particle
-  const Particle particle =
-      load_particle(self, position_radius, velocity_mass, angular_velocity, rank_material);
-  const LawParameters law = law_parameters(p, contact_parameters);
+  const Particles particles = PARTICLES;
+  const Sums sums = SUMS;
+  const Particle particle = load_particle(p, self, &particles);
+  const LawParameters law = LAW_PARAMETERS(p, of_pairs);
   ContactHistory history = HISTORY_OF(self, particle.rank, 0);
   ForceSum sum = gravity_alone(p, &particle);
   uint n_contacts = 0;
@@ -33,8 +31,7 @@ KERNEL void force_between_particles(const StepParameters p, GLOBAL const ulong* 
           if (other == self) continue;  // branch: self
           const Pair pair = pair_with(particle.place, position_radius[other]);
           if (touches(&pair)) {  // branch: contact test
-            const Contact contact =
-                contact_of(&particle, &pair, other, velocity_mass, angular_velocity, rank_material);
+            const Contact contact = contact_of(&particle, &pair, other, &particles);
             apply_contact(&law, &particle, &contact, &history, &sum);
             ++n_contacts;
           }
@@ -43,5 +40,5 @@ KERNEL void force_between_particles(const StepParameters p, GLOBAL const ulong* 
     }
   }
 
-  store_sum(self, &sum, n_contacts, force, torque, contact_counts);
+  store_sum(self, &particles, &sum, n_contacts, &sums, contact_counts, status);
 }

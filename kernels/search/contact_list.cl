@@ -27,21 +27,34 @@ DEVICE_FUNCTION uint owner_of(uint contact, LOCAL_POINTER const uint* ends) {
   return owner;
 }
 
+// What the contacts of a round gave: all forces, then all torques.
+DEVICE_FUNCTION void store_result(LOCAL_POINTER real* results, uint item, const ForceSum* of_contact) {
+  vstore3(of_contact->force, item, results);
+#if HAS_ROTATION
+  vstore3(of_contact->torque, PARTICLE_WORK_GROUP + item, results);
+#endif
+}
+DEVICE_FUNCTION void add_result(LOCAL_POINTER const real* results, uint item, ForceSum* sum) {
+  sum->force += vload3(item, results);
+#if HAS_ROTATION
+  sum->torque += vload3(PARTICLE_WORK_GROUP + item, results);
+#endif
+}
+
 KERNEL WORK_GROUP_OF(PARTICLE_WORK_GROUP) void force_between_particles(
     const StepParameters p, GLOBAL const ulong* cell_keys, GLOBAL const uint2* cell_ranges, GLOBAL uint* near,
-    GLOBAL const Place* position_radius, GLOBAL const real4* velocity_mass,
-    GLOBAL const real4* angular_velocity, GLOBAL const uint2* rank_material,
-    CONSTANT const real4* contact_parameters, GLOBAL real4* force, GLOBAL real4* torque,
-    GLOBAL uint2* contact_counts, GLOBAL uint* status HISTORY_PARAMETERS) {
+    PARTICLE_PARAMETERS MATERIAL_PARAMETER, SUM_PARAMETERS, GLOBAL uint2* contact_counts,
+    GLOBAL uint* status HISTORY_PARAMETERS) {
   LOCAL uint ends[PARTICLE_WORK_GROUP];
-  LOCAL real results[6 * PARTICLE_WORK_GROUP];
+  LOCAL real results[SUM_REALS * PARTICLE_WORK_GROUP];
   const uint self = work_item(), item = work_item_in_group(), first_particle = self - item;
   const bool exists = self < p.n_particles;
+  const Particles particles = PARTICLES;
+  const Sums sums = SUMS;
   ForceSum sum;
   uint n_contacts = 0;
   if (exists) {  // branch: a particle
-    const Particle particle =
-        load_particle(self, position_radius, velocity_mass, angular_velocity, rank_material);
+    const Particle particle = load_particle(p, self, &particles);
     n_contacts =
         list_near(p, self, &particle, REAL(0.0), cell_keys, cell_ranges, position_radius, near, status);
     sum = gravity_alone(p, &particle);
@@ -52,35 +65,29 @@ KERNEL WORK_GROUP_OF(PARTICLE_WORK_GROUP) void force_between_particles(
   const uint n_in_group = ends[PARTICLE_WORK_GROUP - 1];
   const uint end = ends[item], begin = end - n_contacts;
 
-  const LawParameters law = law_parameters(p, contact_parameters);
+  const LawParameters law = LAW_PARAMETERS(p, of_pairs);
   for (uint first = 0; first < n_in_group; first += PARTICLE_WORK_GROUP) {  // branch: next round
     const uint number = first + item;
     if (number < n_in_group) {  // branch: a contact
       const uint owner = owner_of(number, ends);
       const uint k = number - (owner > 0 ? ends[owner - 1] : 0), index = first_particle + owner;
-      const Particle particle =
-          load_particle(index, position_radius, velocity_mass, angular_velocity, rank_material);
+      const Particle particle = load_particle(p, index, &particles);
       const uint other = near[k * p.n_particles + index];
       const Pair pair = pair_with(particle.place, position_radius[other]);
-      const Contact contact =
-          contact_of(&particle, &pair, other, velocity_mass, angular_velocity, rank_material);
+      const Contact contact = contact_of(&particle, &pair, other, &particles);
       ContactHistory history = HISTORY_OF(index, particle.rank, k);
-      ForceSum of_contact;
-      of_contact.force = make_real3(REAL(0.0), REAL(0.0), REAL(0.0));
-      of_contact.torque = of_contact.force;
+      ForceSum of_contact = no_sum();
       apply_contact(&law, &particle, &contact, &history, &of_contact);
-      vstore3(of_contact.force, item, results);
-      vstore3(of_contact.torque, PARTICLE_WORK_GROUP + item, results);
+      store_result(results, item, &of_contact);
     }
     work_group_barrier_local();
     const uint last = min(end, first + PARTICLE_WORK_GROUP);
     for (uint contact = max(begin, first); contact < last; ++contact) {  // branch: next result
-      sum.force += vload3(contact - first, results);
-      sum.torque += vload3(PARTICLE_WORK_GROUP + contact - first, results);
+      add_result(results, contact - first, &sum);
     }
     work_group_barrier_local();
   }
 
   if (!exists) return;  // branch: beyond the last particle
-  store_sum(self, &sum, n_contacts, force, torque, contact_counts);
+  store_sum(self, &particles, &sum, n_contacts, &sums, contact_counts, status);
 }

@@ -27,43 +27,52 @@ DEVICE_FUNCTION uint list_touching(const StepParameters p, uint self, const Part
   return n_near;
 }
 
-// Forces and torques [6 * n] in quanta; contributions that large numbers of them could overflow are errors.
-DEVICE_FUNCTION void add_fixed(GLOBAL long* sums, uint particle, real3 force, real3 torque,
+// Forces and torques [SUM_REALS * n] in quanta; contributions that large numbers of them could overflow are
+// errors.
+DEVICE_FUNCTION void add_fixed(GLOBAL long* sums, uint particle, const ForceSum* added,
                                const StepParameters p, uint rank, GLOBAL uint* status) {
-  const real3 f = force * p.quanta_per_force, t = torque * p.quanta_per_torque;
-  const real largest =
-      fmax(fmax(fmax(fabs(f.x), fabs(f.y)), fmax(fabs(f.z), fabs(t.x))), fmax(fabs(t.y), fabs(t.z)));
-  const real check = f.x + f.y + f.z + t.x + t.y + t.z;
+  const real3 f = added->force * p.quanta_per_force;
+  real largest = fmax(fmax(fabs(f.x), fabs(f.y)), fabs(f.z));
+  real check = f.x + f.y + f.z;
+#if HAS_ROTATION
+  const real3 t = added->torque * p.quanta_per_torque;
+  largest = fmax(fmax(largest, fabs(t.x)), fmax(fabs(t.y), fabs(t.z)));
+  check = check + t.x + t.y + t.z;
+#endif
   if (!is_finite(check) || !(largest < REAL(288230376151711744.0))) {  // branch: force beyond the sums
     report_error(status, is_finite(check) ? STATUS_FORCE_TOO_LARGE : STATUS_NOT_FINITE, rank);
     return;
   }
-  GLOBAL long* sum = sums + 6 * particle;
+  GLOBAL long* sum = sums + SUM_REALS * particle;
   atomic_add_long(&sum[0], rounded_to_long(f.x));
   atomic_add_long(&sum[1], rounded_to_long(f.y));
   atomic_add_long(&sum[2], rounded_to_long(f.z));
+#if HAS_ROTATION
   atomic_add_long(&sum[3], rounded_to_long(t.x));
   atomic_add_long(&sum[4], rounded_to_long(t.y));
   atomic_add_long(&sum[5], rounded_to_long(t.z));
+#endif
+}
+
+DEVICE_FUNCTION real3 quanta_of(GLOBAL const long* sum) {
+  return make_real3((real)sum[0], (real)sum[1], (real)sum[2]);
 }
 
 KERNEL void clear_sums(const StepParameters p, GLOBAL long* fixed_sums, GLOBAL uint* contact_counts) {
   const uint number = work_item();
-  if (number < 6 * p.n_particles) fixed_sums[number] = 0;
+  if (number < SUM_REALS * p.n_particles) fixed_sums[number] = 0;
   if (number < 2 * p.n_particles) contact_counts[number] = 0;
 }
 
 KERNEL void force_of_pairs(const StepParameters p, GLOBAL const ulong* cell_keys,
                            GLOBAL const uint2* cell_ranges, GLOBAL uint* near,
-                           GLOBAL const Place* position_radius, GLOBAL const real4* velocity_mass,
-                           GLOBAL const real4* angular_velocity, GLOBAL const uint2* rank_material,
-                           CONSTANT const real4* contact_parameters, GLOBAL long* fixed_sums,
+                           PARTICLE_PARAMETERS MATERIAL_PARAMETER, GLOBAL long* fixed_sums,
                            GLOBAL uint* contact_counts, GLOBAL uint* status HISTORY_PARAMETERS) {
   const uint place = work_item();
   if (place >= p.n_particles) return;  // branch: beyond the last particle
   const uint self = particle_at(place, cell_keys);
-  const Particle particle =
-      load_particle(self, position_radius, velocity_mass, angular_velocity, rank_material);
+  const Particles particles = PARTICLES;
+  const Particle particle = load_particle(p, self, &particles);
 
   const Cell cell = cell_at(p, position_radius[self]);
   const uint2 own = cell_ranges[cell_number(p, cell.x, cell.y, cell.z)];
@@ -82,46 +91,42 @@ KERNEL void force_of_pairs(const StepParameters p, GLOBAL const ulong* cell_keys
     n_near = LIST_SLOTS;
   }
 
-  const LawParameters law = law_parameters(p, contact_parameters);
-  ForceSum sum;
-  sum.force = make_real3(REAL(0.0), REAL(0.0), REAL(0.0));
-  sum.torque = sum.force;
+  const LawParameters law = LAW_PARAMETERS(p, of_pairs);
+  ForceSum sum = no_sum();
   for (uint k = 0; k < n_near; ++k) {  // branch: next contact
     const uint other = near[k * p.n_particles + self];
     const Pair pair = pair_with(particle.place, position_radius[other]);
-    const Contact contact =
-        contact_of(&particle, &pair, other, velocity_mass, angular_velocity, rank_material);
+    const Contact contact = contact_of(&particle, &pair, other, &particles);
     const uint slot = atomic_inc(&contact_counts[2 * self]);
     const uint slot_of_other = atomic_inc(&contact_counts[2 * other]);
     (void)slot, (void)slot_of_other;  // of laws without history
     ContactHistory history = HISTORY_OF_PAIR(self, particle.rank, slot, other, slot_of_other);
-    ForceSum of_contact;
-    of_contact.force = make_real3(REAL(0.0), REAL(0.0), REAL(0.0));
-    of_contact.torque = of_contact.force;
+    ForceSum of_contact = no_sum();
     apply_contact(&law, &particle, &contact, &history, &of_contact);
-    sum.force += of_contact.force;
-    sum.torque += of_contact.torque;
+    add_to_sum(&sum, &of_contact);
     // eq. (3): both n and F_t are the other way round for the partner.
-    const real arm = quotient(pair.radius, particle.radius);
-    add_fixed(fixed_sums, other, -of_contact.force, of_contact.torque * arm, p, contact.partner, status);
+    ForceSum of_other;
+    of_other.force = -of_contact.force;
+#if HAS_ROTATION
+    of_other.torque = of_contact.torque * (HAS_RADII ? quotient(pair.radius, particle.radius) : REAL(1.0));
+#endif
+    add_fixed(fixed_sums, other, &of_other, p, contact.partner, status);
   }
-  add_fixed(fixed_sums, self, sum.force, sum.torque, p, particle.rank, status);
+  add_fixed(fixed_sums, self, &sum, p, particle.rank, status);
 }
 
-KERNEL void force_of_sums(const StepParameters p, GLOBAL const Place* position_radius,
-                          GLOBAL const real4* velocity_mass, GLOBAL const real4* angular_velocity,
-                          GLOBAL const uint2* rank_material, GLOBAL const long* fixed_sums,
-                          GLOBAL real4* force, GLOBAL real4* torque) {
+KERNEL void force_of_sums(const StepParameters p, PARTICLE_PARAMETERS, GLOBAL const long* fixed_sums,
+                          SUM_PARAMETERS) {
   const uint self = work_item();
   if (self >= p.n_particles) return;  // branch: beyond the last particle
-  const Particle particle =
-      load_particle(self, position_radius, velocity_mass, angular_velocity, rank_material);
-  GLOBAL const long* sum = fixed_sums + 6 * self;
-  const real quantum = quotient(REAL(1.0), p.quanta_per_force);
-  const real quantum_of_torque = quotient(REAL(1.0), p.quanta_per_torque);
+  const Particles particles = PARTICLES;
+  const Sums sums = SUMS;
+  const Particle particle = load_particle(p, self, &particles);
+  GLOBAL const long* sum = fixed_sums + SUM_REALS * self;
   ForceSum total = gravity_alone(p, &particle);
-  total.force += make_real3((real)sum[0], (real)sum[1], (real)sum[2]) * quantum;
-  force[self] = make_real4(total.force, REAL(0.0));
-  torque[self] =
-      make_real4(make_real3((real)sum[3], (real)sum[4], (real)sum[5]) * quantum_of_torque, REAL(0.0));
+  total.force += quanta_of(sum) * quotient(REAL(1.0), p.quanta_per_force);
+#if HAS_ROTATION
+  total.torque = quanta_of(sum + 3) * quotient(REAL(1.0), p.quanta_per_torque);
+#endif
+  store_forces(self, &total, &sums);
 }

@@ -11,11 +11,11 @@
 // Whether the lists may miss a contact: both partners may have moved towards each other, by half the skin
 // each, less some room for rounding. Written so that a NaN makes it so.
 KERNEL void check_lists(const StepParameters p, GLOBAL const Place* position_radius,
-                        GLOBAL const uint2* rank_material, GLOBAL const Place* listed_positions,
+                        GLOBAL const Identity* rank_material, GLOBAL const Place* listed_positions,
                         GLOBAL uint* lists_outdated, GLOBAL uint* status) {
   const uint particle = work_item();
   if (particle >= p.n_particles) return;  // branch: beyond the last particle
-  is_inside(p, position_radius[particle], rank_material[particle].x, status);
+  is_inside(p, position_radius[particle], rank_in(rank_material[particle]), status);
   const real3 moved = way_between(listed_positions[particle], position_radius[particle]);
   const real limit = REAL(0.49) * p.skin;
   if (!(dot(moved, moved) < limit * limit)) atomic_max(lists_outdated, 1u);  // branch: moved far
@@ -23,15 +23,14 @@ KERNEL void check_lists(const StepParameters p, GLOBAL const Place* position_rad
 
 KERNEL void list_neighbours(const StepParameters p, GLOBAL const ulong* cell_keys,
                             GLOBAL const uint2* cell_ranges, GLOBAL const Place* position_radius,
-                            GLOBAL const real4* velocity_mass, GLOBAL const real4* angular_velocity,
-                            GLOBAL const uint2* rank_material, GLOBAL uint* near, GLOBAL uint* near_counts,
+                            GLOBAL const Identity* rank_material, GLOBAL uint* near, GLOBAL uint* near_counts,
                             GLOBAL Place* listed_positions, GLOBAL uint* lists_outdated,
                             GLOBAL uint* status) {
   const uint self = work_item();
   if (self == 0) *lists_outdated = 0;
   if (self >= p.n_particles) return;  // branch: beyond the last particle
-  const Particle particle =
-      load_particle(self, position_radius, velocity_mass, angular_velocity, rank_material);
+  Particle particle;
+  load_place(p, position_radius[self], rank_material[self], &particle);
   near_counts[self] =
       list_near(p, self, &particle, p.skin, cell_keys, cell_ranges, position_radius, near, status);
   listed_positions[self] = position_radius[self];
@@ -40,17 +39,15 @@ KERNEL void list_neighbours(const StepParameters p, GLOBAL const ulong* cell_key
 // Which of the listed neighbours touch goes into a word of bits, 32 at a time, so that no lane waits in the
 // law for a lane whose neighbour does not touch.
 KERNEL void force_between_particles(const StepParameters p, GLOBAL const uint* near,
-                                    GLOBAL const uint* near_counts, GLOBAL const Place* position_radius,
-                                    GLOBAL const real4* velocity_mass, GLOBAL const real4* angular_velocity,
-                                    GLOBAL const uint2* rank_material,
-                                    CONSTANT const real4* contact_parameters, GLOBAL real4* force,
-                                    GLOBAL real4* torque, GLOBAL uint2* contact_counts,
+                                    GLOBAL const uint* near_counts, PARTICLE_PARAMETERS MATERIAL_PARAMETER,
+                                    SUM_PARAMETERS, GLOBAL uint2* contact_counts,
                                     GLOBAL uint* status HISTORY_PARAMETERS) {
   const uint self = work_item();
   if (self >= p.n_particles) return;  // branch: beyond the last particle
-  const Particle particle =
-      load_particle(self, position_radius, velocity_mass, angular_velocity, rank_material);
-  const LawParameters law = law_parameters(p, contact_parameters);
+  const Particles particles = PARTICLES;
+  const Sums sums = SUMS;
+  const Particle particle = load_particle(p, self, &particles);
+  const LawParameters law = LAW_PARAMETERS(p, of_pairs);
   ContactHistory history = HISTORY_OF(self, particle.rank, 0);
   ForceSum sum = gravity_alone(p, &particle);
   uint n_contacts = 0;
@@ -68,12 +65,11 @@ KERNEL void force_between_particles(const StepParameters p, GLOBAL const uint* n
       touching &= touching - 1;
       const uint other = near[(first + k) * p.n_particles + self];
       const Pair pair = pair_with(particle.place, position_radius[other]);
-      const Contact contact =
-          contact_of(&particle, &pair, other, velocity_mass, angular_velocity, rank_material);
+      const Contact contact = contact_of(&particle, &pair, other, &particles);
       apply_contact(&law, &particle, &contact, &history, &sum);
       ++n_contacts;
     }
   }
 
-  store_sum(self, &sum, n_contacts, force, torque, contact_counts);
+  store_sum(self, &particles, &sum, n_contacts, &sums, contact_counts, status);
 }
