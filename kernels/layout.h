@@ -11,11 +11,14 @@
 //   history_partners      uint [n * CONTACT_SLOTS]       rank, or WALL_PARTNER_BIT | index of the wall
 //   history_displacements StoredReal [n * CONTACT_SLOTS * 3]   tangential displacement (eq. 7)
 //   cell_keys             ulong [n_keys]   CM (eq. 11), once sorted SCM: cell in the high 32 bits, rank below
-//   particle_of_rank      uint [n]         where the particle of a rank stood when the map was made
+//                                  where searches find particles through it: places in the arrays for ranks
+//   memory_keys           ulong [n]        keys of the SCM in the order of the arrays to come: contact_count
+//   particle_of_rank      uint [n]         where the particle of a rank stands
 //   cell_ranges           uint2 [n_cells]  SCCM (eq. 12): a cell's first entry in the SCM, one past its last
 //   scan_sums             uint [n_cells / SCAN_BLOCK, rounded up]  particles in the blocks of cells before
 //   near                  uint [LIST_SLOTS * n]   a search's lists: entry k of particle i at k * n + i
 //   near_counts           uint [n]         how many entries
+//   near_groups           uint [GROUP_SLOTS * groups]   search `cluster`: its lists of groups
 //   listed_positions      Place [n]        where particles were when lists with a skin were made
 //   lists_outdated        uint [1]         whether such lists may miss a contact
 //   fixed_sums            long [SUM_REALS * n]   force, torque in quanta, where they are added up by atomics
@@ -125,11 +128,20 @@ LAYOUT_STRUCT(FixedWallLayout) {
 #define WALL_PARTNER_BIT 0x80000000u
 
 // Work-items of a work-group: of the bitonic sort, which orders blocks of twice as many keys in local memory;
-// of the scan, which takes SCAN_CELLS cells a work-item; of the rest.
+// of the scan, which takes SCAN_CELLS cells a work-item; of order_by_contacts, which orders windows of twice
+// as many particles; of the rest.
 #define SORT_WORK_GROUP 512
 #define SCAN_WORK_GROUP 256
+#define ORDER_WORK_GROUP 256
+#define CELL_WORK_GROUP 32
 #define SCAN_CELLS 8
 #define SCAN_BLOCK (SCAN_WORK_GROUP * SCAN_CELLS)
+// Cells of a work-group of the search `warp_per_cell`: as large as a particle, they hold 27 particles of a
+// dense bed, nearly a warp of them; particles of a group of the search `cluster`.
+#define BLOCK_X 4
+#define BLOCK_Y 3
+#define BLOCK_Z 2
+#define GROUP_SIZE 8u
 #ifndef PARTICLE_WORK_GROUP  // the axis work_group_size
 #define PARTICLE_WORK_GROUP 128
 #endif

@@ -34,7 +34,13 @@ DEVICE_FUNCTION Pair pair_with(Place place, Place other) {
   return pair;
 }
 
-DEVICE_FUNCTION int coarse_part(long units) { return (int)((units + COARSE_UNITS / 2) >> SEPARATION_SHIFT); }
+// -D FAR_PAIRS: the search looks at pairs that are not near each other; the farthest it needs to know is far.
+DEVICE_FUNCTION int coarse_part(long units) {
+#ifdef FAR_PAIRS
+  units = clamp(units, -(COARSE_UNITS << 29), COARSE_UNITS << 29);
+#endif
+  return (int)((units + COARSE_UNITS / 2) >> SEPARATION_SHIFT);
+}
 // In coarse units.
 DEVICE_FUNCTION real rest_of(long units) {
   return (real)(int)(units - ((long)coarse_part(units) << SEPARATION_SHIFT)) *

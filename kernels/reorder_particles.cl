@@ -1,5 +1,5 @@
-// Moves all properties of the particles into the order of the sorted map, the contact history
-// included.
+// Moves all properties of the particles into the order of the sorted map, or of other keys with their ranks,
+// the contact history included.
 
 #include "contact_history.h"
 #include "prelude.h"
@@ -19,13 +19,14 @@
 #endif
 
 KERNEL void reorder_particles(
-    const StepParameters p, GLOBAL const ulong* cell_keys, GLOBAL const uint* particle_of_rank,
+    const StepParameters p, GLOBAL const ulong* keys, GLOBAL uint* particle_of_rank,
     GLOBAL const Place* position_radius_in, GLOBAL const real4* velocity_mass_in,
     GLOBAL const Identity* rank_material_in, GLOBAL Place* position_radius, GLOBAL real4* velocity_mass,
     GLOBAL Identity* rank_material ROTATION_MOVE_PARAMETERS HISTORY_MOVE_PARAMETERS) {
   const uint place = work_item();
   if (place >= p.n_particles) return;  // branch: beyond the last particle
-  const uint origin = particle_of_rank[(uint)cell_keys[place]];
+  const uint rank = (uint)keys[place], origin = particle_of_rank[rank];
+  particle_of_rank[rank] = place;
 
   position_radius[place] = position_radius_in[origin];
   velocity_mass[place] = velocity_mass_in[origin];

@@ -62,6 +62,8 @@ std::span<const Axis> axes() {
        tuning_axis("sort", "how the map of particles and cells is sorted", "bitonic", values_of(sorts())),
        tuning_axis("cell_size", "the cells of the collision grid", "1", values_of(cell_sizes())),
        tuning_axis("work_group_size", "work-items of a work-group", "128", values_of(work_groups())),
+       tuning_axis("reorder_every", "how often particles are moved in memory, in maps", "1",
+                   values_of(reorder_intervals())),
        tuning_axis("model", "how much of the model is computed", "full", values_of(model_extents()))}};
   return table;
 }

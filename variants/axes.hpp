@@ -28,7 +28,7 @@ struct Axis {
 
 // In the order of a variant's name.
 std::span<const Axis> axes();
-inline constexpr std::size_t n_axes = 9;
+inline constexpr std::size_t n_axes = 10;
 // Throws InputError that lists the valid names.
 const Axis& axis_named(std::string_view name);
 enum class AxisId : std::size_t {
@@ -40,6 +40,7 @@ enum class AxisId : std::size_t {
   sort,
   cell_size,
   work_group_size,
+  reorder_every,
   model
 };
 

@@ -51,6 +51,9 @@ const CellSize& cell_size_of(const Variant& variant) {
 const WorkGroup& work_group_of(const Variant& variant) {
   return row_of(work_groups(), variant, AxisId::work_group_size);
 }
+const ReorderInterval& reorder_interval_of(const Variant& variant) {
+  return row_of(reorder_intervals(), variant, AxisId::reorder_every);
+}
 const Order& order_of(const Variant& variant) { return row_of(orders(), variant, AxisId::order); }
 const Precision& precision_of(const Variant& variant) {
   return row_of(precisions(), variant, AxisId::precision);
@@ -68,6 +71,9 @@ std::string refusal(const Variant& variant) {
     return "--precision " + std::string(precision_of(variant).name) +
            " is for laws with contact history, and --contact " + std::string(contact_law(variant).name) +
            " has none: choose --precision fp32";
+  if (reorder_interval_of(variant).maps > 1 && !order_of(variant).moves_particles)
+    return "--reorder_every " + std::string(reorder_interval_of(variant).name) + " says nothing of --order " +
+           std::string(order_of(variant).name) + ", which moves no particles: choose --order cell";
   return {};
 }
 

@@ -300,11 +300,14 @@ void size_arrays(const Variant& variant, DeviceScene& device) {
   if (search_of(variant).needs_long_atomics)
     bytes[fixed_sums] = 8 * n * (device.features.model(FeatureId::rotation) ? 6 : 3);
   bytes[near] = 4 * std::size_t{device.list_slots} * n;
-  if (search_of(variant).lists == Lists::neighbours) {
+  if (search_of(variant).lists == Lists::groups)
+    bytes[near_groups] = 4 * std::size_t{device.group_slots} * ((n + GROUP_SIZE - 1) / GROUP_SIZE);
+  if (search_of(variant).plan_lists != nullptr) {
     bytes[near_counts] = 4 * n;
     bytes[listed_positions] = bytes[position_radius];
     bytes[lists_outdated] = 4;
   }
+  if (order_of(variant).by_contacts) bytes[memory_keys] = 8 * n;
   bytes[particle_of_rank] = 4 * n;
   bytes[cell_ranges] = 8 * std::size_t{device.n_cells};
   bytes[contact_parameters] = device.contents[contact_parameters].size();
@@ -350,16 +353,19 @@ DeviceScene lay_out(const Scene& scene, const Variant& variant) {
   device.contact_slots = device.keeps_history ? contact_slots_for(particles) : 0;
   if (precision_of(variant).has_half_history)
     device.half_history = HalfHistory(std::ranges::min(particles.radius));
-  if (search_of(variant).lists == Lists::contacts) device.list_slots = contact_slots_for(particles);
+  const Lists lists = search_of(variant).lists;
+  if (lists == Lists::contacts || lists == Lists::groups) device.list_slots = contact_slots_for(particles);
   if (search_of(variant).needs_long_atomics) {
     device.quanta_per_force = quanta_per_force(scene);
     device.quanta_per_torque =
         device.quanta_per_force * std::exp2(-std::ceil(std::log2(std::ranges::max(particles.radius))));
   }
-  if (search_of(variant).lists == Lists::neighbours) {
+  if (search_of(variant).plan_lists != nullptr)
     device.skin = skin_of_lists * std::ranges::max(particles.radius);
-    device.list_slots = neighbour_slots_for(particles, device.skin);
-  }
+  if (lists == Lists::neighbours) device.list_slots = neighbour_slots_for(particles, device.skin);
+  // Half as many groups as particles are near the group's, were each alone of its group.
+  if (lists == Lists::groups)
+    device.group_slots = GROUP_SIZE / 2 * neighbour_slots_for(particles, device.skin);
   // Kernels count in 32 bits; the largest array holds three numbers a slot.
   const std::size_t most_particles =
       (std::size_t{1} << 31) / std::max({3 * device.contact_slots, device.list_slots, 1u});
@@ -371,7 +377,10 @@ DeviceScene lay_out(const Scene& scene, const Variant& variant) {
   device.n_keys = std::max<std::uint32_t>(2 * SORT_WORK_GROUP, std::bit_ceil(device.n_particles));
   const GridGeometry grid = device_grid(scene, device.skin, cell_size_of(variant).edges);
   if (precision_of(variant).has_fixed_places) device.fixed_point = fixed_point_for(scene, grid.cell_edge);
+  device.map_points = !order_of(variant).moves_particles || order_of(variant).by_contacts ||
+                      reorder_interval_of(variant).maps > 1;
   device.work_group = work_group_of(variant).work_items;
+  device.n_cells_along = grid.n_cells;
   device.n_cells =
       order_of(variant).has_tiles ? cells_in_tiles(grid) : static_cast<std::uint32_t>(grid.cell_count());
   if (device.is_fp64) {
@@ -379,6 +388,9 @@ DeviceScene lay_out(const Scene& scene, const Variant& variant) {
   } else {
     fill<float>(scene, grid, device);
   }
+  // The first map is made before the first evaluation.
+  if (order_of(variant).by_contacts && !device.keeps_history)
+    device.contents[contact_counts].assign(8 * std::size_t{device.n_particles}, std::byte{0});
   std::vector<std::uint32_t> status_words(STATUS_SIZE, NO_PARTICLE);
   status_words[STATUS_STEPS] = status_words[STATUS_STOPPED] = 0;
   device.contents[status] = bytes_of<std::uint32_t>(status_words);

@@ -2,6 +2,7 @@
 // A scene as a device holds it: sizes, kernel parameters, and what the arrays hold before the first
 // evaluation.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -25,9 +26,12 @@ struct DeviceScene {
   std::uint32_t contact_slots = 0;          // of a particle; 0 without history
   SceneFeatures features;
   std::uint32_t n_particles = 0;
-  std::uint32_t n_keys = 0;      // n_particles padded to a power of two, at least a block of the sort
-  std::uint32_t n_cells = 0;     // numbers of cells
-  std::uint32_t list_slots = 0;  // of a particle's list of partners; 0 where the search makes none
+  std::uint32_t n_keys = 0;       // n_particles padded to a power of two, at least a block of the sort
+  std::uint32_t n_cells = 0;      // numbers of cells
+  std::uint32_t list_slots = 0;   // of a particle's list of partners; 0 where the search makes none
+  std::uint32_t group_slots = 0;  // of a group's list of groups
+  std::array<std::uint32_t, 3> n_cells_along{};
+  bool map_points = false;       // particles are found through the map, not at their places in it
   double skin = 0;               // of lists that outlive a step [m]
   std::uint32_t work_group = 0;  // work-items of a work-group of kernels that work on particles
   double quanta_per_force = 1, quanta_per_torque = 1;  // of fixed-point sums

@@ -60,7 +60,7 @@ DeviceSimulation::DeviceSimulation(const Scene& scene, const Variant& variant, c
     if (bytes_[array] > 0) device_->allocate(array, bytes_[array]);
     if (!layout.contents[array].empty()) device_->write(array, layout.contents[array]);
   }
-  run(plan_.map);
+  make_map();
   run(plan_.forces);
   check();
 }
@@ -70,6 +70,11 @@ bool DeviceSimulation::map_is_outdated() {
   if (plan_.check_map.empty()) return true;
   run(plan_.check_map);
   return download<std::uint32_t>(DeviceArray::lists_outdated)[0] != 0;
+}
+
+void DeviceSimulation::make_map() {
+  run(maps_made_ % plan_.maps_between_moves == 0 ? plan_.map : plan_.map_in_place);
+  ++maps_made_;
 }
 
 void DeviceSimulation::run(const std::vector<PlanEntry>& entries) {
@@ -95,7 +100,10 @@ void DeviceSimulation::check() const {
 void DeviceSimulation::step(std::uint64_t n) {
   for (std::uint64_t k = 0; k < n; ++k) {
     run(plan_.integrate);
-    run(map_is_outdated() ? plan_.map : plan_.keep_map);
+    if (map_is_outdated())
+      make_map();
+    else
+      run(plan_.keep_map);
     run(plan_.forces);
     ++steps_done_;
     if ((k + 1) % steps_between_checks == 0 || k + 1 == n) {

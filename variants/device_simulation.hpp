@@ -29,6 +29,7 @@ class DeviceSimulation : public Simulation {
  private:
   void run(const std::vector<PlanEntry>& entries);
   bool map_is_outdated();
+  void make_map();
   // Throws SimulationError when a kernel has reported an error.
   void check() const;
   template <class T>
@@ -52,7 +53,7 @@ class DeviceSimulation : public Simulation {
   bool is_fp64_ = false;
   std::optional<FixedPoint> fixed_point_;
   std::optional<HalfHistory> half_history_;
-  std::uint64_t steps_done_ = 0;
+  std::uint64_t steps_done_ = 0, maps_made_ = 0;
 };
 
 }  // namespace warpgrain

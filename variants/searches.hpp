@@ -15,8 +15,9 @@ class PlanBuilder;
 // What a search lists for each particle before it applies the law.
 enum class Lists : std::uint8_t {
   none,
-  contacts,   // anew at every step
-  neighbours  // with a skin, until some particle has moved half of it
+  contacts,    // anew at every step
+  neighbours,  // with a skin, until some particle has moved half of it
+  groups       // the same of groups of particles; and contacts, anew at every step
 };
 
 struct Search {
@@ -25,6 +26,8 @@ struct Search {
   std::string_view file;  // in kernels/
   Lists lists;
   bool needs_long_atomics;  // sums in fixed point, 64 bits
+  // Adds those that make the lists that outlive a step; null where there are none.
+  void (*plan_lists)(PlanBuilder&);
   // Adds the launches that find the contacts and apply the law.
   void (*plan_forces)(PlanBuilder&);
 };

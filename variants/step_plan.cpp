@@ -10,6 +10,7 @@
 #include "variants/plan_builder.hpp"
 #include "variants/searches.hpp"
 #include "variants/sorts.hpp"
+#include "variants/tuning.hpp"
 
 namespace warpgrain {
 namespace {
@@ -28,10 +29,13 @@ static_assert(wall_partner_bit == WALL_PARTNER_BIT);
 std::vector<SourceUnit> source_units(const Scene& scene, const Variant& variant, const DeviceScene& device,
                                      const KernelSources& sources) {
   const std::string law(contact_law(variant).file), search(search_of(variant).file);
-  const std::vector<std::string> grid_files{"integrate.cl", "map_particles.cl",
-                                            std::string(sort_of(variant).file), "reorder_particles.cl",
-                                            "find_cells.cl"};
-  const std::vector<std::string> pair_files{law, search}, wall_files{law, "force_from_walls.cl"};
+  const std::vector<std::string> grid_files{
+      "integrate.cl",         "map_particles.cl",     std::string(sort_of(variant).file),
+      "reorder_particles.cl", "order_by_contacts.cl", "point_map.cl",
+      "find_cells.cl"};
+  std::vector<std::string> pair_files{law, search};
+  if (search_of(variant).plan_lists != nullptr) pair_files.emplace_back("search/check_lists.cl");
+  const std::vector<std::string> wall_files{law, "force_from_walls.cl"};
   const SceneFeatures& features = device.features;
   std::string options =
       fmt::format("-cl-std=CL1.2 -D REAL_BITS={} -D CONTACT_SLOTS={} -D PARTICLE_WORK_GROUP={}",
@@ -43,8 +47,10 @@ std::vector<SourceUnit> source_units(const Scene& scene, const Variant& variant,
   const std::string law_options = fmt::format(
       "{} -D SLIP_HISTORY={} -D NORMAL_FORCE={} {}", options, static_cast<int>(scene.model.slip_history),
       static_cast<int>(normal_force), math_mode(variant).build_options);
-  const std::string_view order = order_of(variant).build_options;
-  std::string pair_options = fmt::format("{} {} -D LIST_SLOTS={}", law_options, order, device.list_slots);
+  const std::string order = fmt::format("-D ORDER_CELL={} -D ORDER_MORTON={}", device.map_points ? 0 : 1,
+                                        order_of(variant).has_tiles ? 1 : 0);
+  std::string pair_options = fmt::format("{} {} -D LIST_SLOTS={} -D GROUP_SLOTS={}", law_options, order,
+                                         device.list_slots, device.group_slots);
   if (search_of(variant).needs_long_atomics) pair_options += " -D EACH_PAIR_ONCE";
   std::vector<SourceUnit> units{
       {sources.bundle(grid_files), fmt::format("{} {}{}", options, order, features.grid_options())},
@@ -62,11 +68,11 @@ void swap_history(PlanBuilder& b) {
 }
 
 // The history goes from "after" to "before" on the way.
-void reorder(PlanBuilder& b) {
+void reorder(PlanBuilder& b, DeviceArray keys) {
   KernelLaunch& moved =
-      b.launch(PlanBuilder::grid_unit, "reorder_particles", b.device().n_particles, cell_keys,
-               particle_of_rank, position_radius, velocity_mass, rank_material, position_radius_spare,
-               velocity_mass_spare, rank_material_spare, angular_velocity, angular_velocity_spare);
+      b.launch(PlanBuilder::grid_unit, "reorder_particles", b.device().n_particles, keys, particle_of_rank,
+               position_radius, velocity_mass, rank_material, position_radius_spare, velocity_mass_spare,
+               rank_material_spare, angular_velocity, angular_velocity_spare);
   if (b.device().keeps_history) {
     for (DeviceArray array : {contact_counts, history_partners, history_displacements, contact_counts_before,
                               history_partners_before, history_displacements_before})
@@ -78,15 +84,26 @@ void reorder(PlanBuilder& b) {
   b.swap(rank_material, rank_material_spare);
 }
 
-void make_map(PlanBuilder& b, const Variant& variant) {
+void plan_map(PlanBuilder& b, const Variant& variant, bool moves) {
+  const std::size_t n = b.device().n_particles;
   b.launch(PlanBuilder::grid_unit, "map_particles", b.device().n_keys, position_radius, rank_material,
            cell_keys, particle_of_rank, status);
   sort_of(variant).plan_sort(b);
-  if (order_of(variant).moves_particles)
-    reorder(b);
-  else
+  if (moves && order_of(variant).by_contacts) {
+    constexpr std::size_t window = 2 * ORDER_WORK_GROUP;
+    b.launch_in_groups(PlanBuilder::grid_unit, "order_by_contacts",
+                       (n + window - 1) / window * ORDER_WORK_GROUP, ORDER_WORK_GROUP, b.device().parameters,
+                       cell_keys, particle_of_rank, contact_counts, memory_keys);
+    reorder(b, memory_keys);
+  } else if (moves) {
+    reorder(b, cell_keys);
+  } else {
     swap_history(b);
+  }
+  if (b.device().map_points && order_of(variant).moves_particles)
+    b.launch(PlanBuilder::grid_unit, "point_map", n, particle_of_rank, cell_keys);
   sort_of(variant).plan_ranges(b);
+  if (search_of(variant).plan_lists != nullptr) search_of(variant).plan_lists(b);
 }
 
 }  // namespace
@@ -107,10 +124,11 @@ StepPlan make_step_plan(const Scene& scene, const Variant& variant, const Device
   b.launch(PlanBuilder::grid_unit, "integrate", n, position_radius, velocity_mass, force, status,
            angular_velocity, torque);
   b.begin(plan.map);
-  make_map(b, variant);
-  if (search_of(variant).lists == Lists::neighbours) {
-    b.launch(PlanBuilder::pair_unit, "list_neighbours", n, cell_keys, cell_ranges, position_radius,
-             rank_material, near, near_counts, listed_positions, lists_outdated, status);
+  plan_map(b, variant, order_of(variant).moves_particles);
+  plan.maps_between_moves = reorder_interval_of(variant).maps;
+  b.begin(plan.map_in_place);
+  if (plan.maps_between_moves > 1) plan_map(b, variant, false);
+  if (search_of(variant).plan_lists != nullptr) {
     b.begin(plan.check_map);
     b.launch(PlanBuilder::pair_unit, "check_lists", n, position_radius, rank_material, listed_positions,
              lists_outdated, status);

@@ -46,6 +46,10 @@ struct StepPlan {
   // by, the sorted map and lists made of it. Where there is a `check_map`, it runs before, and where it
   // leaves lists_outdated at zero `keep_map` takes the place of `map`.
   std::vector<PlanEntry> check_map, map, keep_map;
+  // Of maps, the first of every `maps_between_moves` is `map`, which moves particles in memory, the others
+  // are `map_in_place`.
+  std::vector<PlanEntry> map_in_place;
+  std::uint32_t maps_between_moves = 1;
   std::vector<PlanEntry> forces;
 };
 

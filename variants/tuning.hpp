@@ -37,8 +37,24 @@ inline std::span<const WorkGroup> work_groups() {
   return rows;
 }
 
+struct ReorderInterval {
+  std::string_view name;  // value of the axis `reorder_every`
+  std::string_view summary;
+  std::uint32_t maps;  // every so many maps particles are moved in memory
+};
+
+inline std::span<const ReorderInterval> reorder_intervals() {
+  static constexpr std::array<ReorderInterval, 4> rows{
+      {{"1", "particles are moved in memory whenever the map is made", 1},
+       {"4", "at every fourth map; between, neighbours are found through it", 4},
+       {"16", "at every sixteenth map; between, neighbours are found through it", 16},
+       {"64", "at every sixty-fourth map; between, neighbours are found through it", 64}}};
+  return rows;
+}
+
 // Those of a variant.
 const CellSize& cell_size_of(const Variant& variant);
 const WorkGroup& work_group_of(const Variant& variant);
+const ReorderInterval& reorder_interval_of(const Variant& variant);
 
 }  // namespace warpgrain

@@ -23,11 +23,11 @@
 #define STRETCH_CELLS 3
 #endif
 
-// The stretch that begins with cell x, y, z; x may be beyond the grid.
-DEVICE_FUNCTION uint2 stretch_from(const StepParameters p, int x, int y, int z,
-                                   GLOBAL const uint2* cell_ranges) {
+// The stretch of n_x cells that begins with cell x, y, z; x may be beyond the grid.
+DEVICE_FUNCTION uint2 stretch_of(const StepParameters p, int x, int n_x, int y, int z,
+                                 GLOBAL const uint2* cell_ranges) {
   uint end = 0, n = 0;
-  for (int k = 0; k < STRETCH_CELLS; ++k) {
+  for (int k = 0; k < n_x; ++k) {
     const bool inside = x + k >= 0 && x + k < (int)p.cells_x;
     const uint2 range = cell_ranges[cell_number(p, inside ? x + k : 0, y, z)];
     end = max(end, inside ? range.y : 0);
@@ -36,9 +36,21 @@ DEVICE_FUNCTION uint2 stretch_from(const StepParameters p, int x, int y, int z,
   return make_uint2(end - n, end);
 }
 
+DEVICE_FUNCTION uint2 stretch_from(const StepParameters p, int x, int y, int z,
+                                   GLOBAL const uint2* cell_ranges) {
+  return stretch_of(p, x, STRETCH_CELLS, y, z, cell_ranges);
+}
+
+// What fits of a list of that length; that it does not is an error of the run.
+DEVICE_FUNCTION uint checked_length(uint length, const Particle* particle, GLOBAL uint* status) {
+  if (length <= LIST_SLOTS) return length;
+  report_error(status, STATUS_LIST_FULL, particle->rank);
+  return LIST_SLOTS;
+}
+
 // Lists the other particles whose surface is nearer than `skin`, in the order of the sorted map: entry k of
 // particle i at near[k * n_particles + i], so that a warp's lanes write side by side. Returns how many there
-// are; a list that is too short is an error of the run.
+// are.
 DEVICE_FUNCTION uint list_near(const StepParameters p, uint self, const Particle* particle, real skin,
                                GLOBAL const ulong* cell_keys, GLOBAL const uint2* cell_ranges,
                                GLOBAL const Place* position_radius, GLOBAL uint* near, GLOBAL uint* status) {
@@ -60,11 +72,19 @@ DEVICE_FUNCTION uint list_near(const StepParameters p, uint self, const Particle
       }
     }
   }
-  if (n_near > LIST_SLOTS) {  // branch: list full
-    report_error(status, STATUS_LIST_FULL, particle->rank);
-    n_near = LIST_SLOTS;
+  return checked_length(n_near, particle, status);
+}
+
+// Applies the law to the listed partners, one after the other.
+DEVICE_FUNCTION void apply_to_listed(const StepParameters p, uint self, const Particle* particle,
+                                     uint n_contacts, GLOBAL const uint* near, const Particles* particles,
+                                     const LawParameters* law, ContactHistory* history, ForceSum* sum) {
+  for (uint k = 0; k < n_contacts; ++k) {  // branch: next contact
+    const uint other = near[k * p.n_particles + self];
+    const Pair pair = pair_with(particle->place, particles->position_radius[other]);
+    const Contact contact = contact_of(particle, &pair, other, particles);
+    apply_contact(law, particle, &contact, history, sum);
   }
-  return n_near;
 }
 
 #endif

@@ -8,24 +8,7 @@
 #include "particle_access.h"
 #include "prelude.h"
 #include "search/candidates.h"
-
-// Inclusive sums over the work-group, in place.
-DEVICE_FUNCTION void sum_up(LOCAL_POINTER uint* ends, uint item) {
-  for (uint stride = 1; stride < PARTICLE_WORK_GROUP; stride *= 2) {
-    const uint before = item >= stride ? ends[item - stride] : 0;
-    work_group_barrier_local();
-    ends[item] += before;
-    work_group_barrier_local();
-  }
-}
-
-// Whose contact it is: the first whose contacts end behind it.
-DEVICE_FUNCTION uint owner_of(uint contact, LOCAL_POINTER const uint* ends) {
-  uint owner = 0;
-  for (uint step = PARTICLE_WORK_GROUP / 2; step > 0; step /= 2)
-    owner += ends[owner + step - 1] <= contact ? step : 0;
-  return owner;
-}
+#include "search/numbering.h"
 
 // What the contacts of a round gave: all forces, then all torques.
 DEVICE_FUNCTION void store_result(LOCAL_POINTER real* results, uint item, const ForceSum* of_contact) {
@@ -61,7 +44,7 @@ KERNEL WORK_GROUP_OF(PARTICLE_WORK_GROUP) void force_between_particles(
   }
   ends[item] = n_contacts;
   work_group_barrier_all();  // the lists are read by others
-  sum_up(ends, item);
+  sum_up(ends, item, PARTICLE_WORK_GROUP);
   const uint n_in_group = ends[PARTICLE_WORK_GROUP - 1];
   const uint end = ends[item], begin = end - n_contacts;
 
@@ -69,8 +52,8 @@ KERNEL WORK_GROUP_OF(PARTICLE_WORK_GROUP) void force_between_particles(
   for (uint first = 0; first < n_in_group; first += PARTICLE_WORK_GROUP) {  // branch: next round
     const uint number = first + item;
     if (number < n_in_group) {  // branch: a contact
-      const uint owner = owner_of(number, ends);
-      const uint k = number - (owner > 0 ? ends[owner - 1] : 0), index = first_particle + owner;
+      const uint owner = owner_of(number, ends, PARTICLE_WORK_GROUP);
+      const uint k = number_within(number, owner, ends), index = first_particle + owner;
       const Particle particle = load_particle(p, index, &particles);
       const uint other = near[k * p.n_particles + index];
       const Pair pair = pair_with(particle.place, position_radius[other]);

@@ -22,12 +22,6 @@ KERNEL void force_between_particles(const StepParameters p, GLOBAL const ulong* 
   const LawParameters law = LAW_PARAMETERS(p, of_pairs);
   ContactHistory history = HISTORY_OF(self, particle.rank, 0);
   ForceSum sum = gravity_alone(p, &particle);
-  for (uint k = 0; k < n_contacts; ++k) {  // branch: next contact
-    const uint other = near[k * p.n_particles + self];
-    const Pair pair = pair_with(particle.place, position_radius[other]);
-    const Contact contact = contact_of(&particle, &pair, other, &particles);
-    apply_contact(&law, &particle, &contact, &history, &sum);
-  }
-
+  apply_to_listed(p, self, &particle, n_contacts, near, &particles, &law, &history, &sum);
   store_sum(self, &particles, &sum, n_contacts, &sums, contact_counts, status);
 }

@@ -2,22 +2,9 @@
 // pads it with largest keys). Strides that fit a block run in local memory; longer ones are a launch each.
 
 #include "prelude.h"
+#include "sort/exchange.h"
 
 #define SORT_BLOCK (2 * SORT_WORK_GROUP)
-
-// The first of the two elements that comparator `comparator` of a stride exchanges.
-DEVICE_FUNCTION uint first_of_pair(uint comparator, uint stride) {
-  return 2 * comparator - (comparator & (stride - 1));
-}
-
-DEVICE_FUNCTION void exchange_in_block(LOCAL_POINTER ulong* block, uint base, uint size, uint stride) {
-  const uint first = first_of_pair(work_item_in_group(), stride);
-  const bool ascending = ((base + first) & size) == 0;
-  const ulong a = block[first];
-  const ulong b = block[first + stride];
-  block[first] = ascending ? min(a, b) : max(a, b);
-  block[first + stride] = ascending ? max(a, b) : min(a, b);
-}
 
 // Sorts each block: the sequences of size 2 to SORT_BLOCK, whose direction alternates with their place.
 KERNEL WORK_GROUP_OF(SORT_WORK_GROUP) void sort_blocks(GLOBAL ulong* cell_keys) {
@@ -26,13 +13,7 @@ KERNEL WORK_GROUP_OF(SORT_WORK_GROUP) void sort_blocks(GLOBAL ulong* cell_keys) 
   const uint base = work_group() * SORT_BLOCK;
   block[item] = cell_keys[base + item];
   block[item + SORT_WORK_GROUP] = cell_keys[base + item + SORT_WORK_GROUP];
-  for (uint size = 2; size <= SORT_BLOCK; size *= 2) {
-    for (uint stride = size / 2; stride > 0; stride /= 2) {
-      work_group_barrier_local();
-      exchange_in_block(block, base, size, stride);
-    }
-  }
-  work_group_barrier_local();
+  sort_block(block, base, SORT_BLOCK);
   cell_keys[base + item] = block[item];
   cell_keys[base + item + SORT_WORK_GROUP] = block[item + SORT_WORK_GROUP];
 }

@@ -59,7 +59,7 @@ std::string message_of(const std::string& name) {
 
 TEST(Axes, RefusesUnknownNamesAndListsTheValidOnes) {
   EXPECT_EQ(message_of("branchy/cells/cel/fp32/default"),
-            "--order: unknown value 'cel'; valid: unsorted, cell, morton");
+            "--order: unknown value 'cel'; valid: unsorted, cell, morton, contact_count");
   EXPECT_EQ(message_of("branchy/cells"),
             "variant: 'branchy/cells'; expected contact/search/order/precision/math, such as "
             "branchy/cells/cell/fp32/default");

@@ -27,6 +27,8 @@ INSTANTIATE_TEST_SUITE_P(Device, Order,
                                          "branchy/cells/unsorted/fp64/default",
                                          "branchy/verlet/morton/fp64/default/sort=counting",
                                          "branchy/half_shell/unsorted/fp64/default",
+                                         "branchy/two_phase/contact_count/fp64/default/reorder_every=4",
+                                         "branchy/warp_per_cell/morton/fp64/default",
                                          "branchy/contact_list/cell/fp64/default/cell_size=2"),
                          [](const auto& variant) { return test_name(Variant::parse(variant.param)); });
 
@@ -93,12 +95,32 @@ TEST(DeviceSimulation, OrdersAgreeBitByBit) {
   const Scene bed = random_bed({.n_particles = 1500, .seed = 5});
   Variant variant;
   const auto cell = backend("opencl").create(bed, variant, {});
-  variant.set("order", "unsorted");
-  const auto unsorted = backend("opencl").create(bed, variant, {});
   cell->step(50);
-  unsorted->step(50);
-  expect_equal(cell->state(), unsorted->state());
-  EXPECT_EQ(cell->forces().torque, unsorted->forces().torque);
+  for (const char* name : {"branchy/cells/unsorted/fp32/default", "branchy/cells/contact_count/fp32/default",
+                           "branchy/cells/cell/fp32/default/reorder_every=4"}) {
+    SCOPED_TRACE(name);
+    const auto other = backend("opencl").create(bed, Variant::parse(name), {});
+    other->step(50);
+    expect_equal(cell->state(), other->state());
+    EXPECT_EQ(cell->forces().torque, other->forces().torque);
+  }
+}
+
+std::uint64_t calls_of(const Simulation& simulation, std::string_view kernel) {
+  for (const KernelTiming& timing : simulation.timings())
+    if (timing.kernel == kernel) return timing.calls;
+  return 0;
+}
+
+TEST(DeviceSimulation, MovesParticlesInMemoryAsOftenAsItIsTold) {
+  const Scene bed = random_bed({.n_particles = 300});
+  for (const std::uint64_t every : {1u, 4u, 16u}) {
+    const std::string name = Variant().name() + "/reorder_every=" + std::to_string(every);
+    const auto simulation = backend("opencl").create(bed, Variant::parse(name), {});
+    simulation->step(31);
+    EXPECT_EQ(calls_of(*simulation, "reorder_particles"), 32 / every);
+    EXPECT_EQ(calls_of(*simulation, "map_particles"), 32u);
+  }
 }
 
 // The map is the same however it has been sorted.
@@ -138,20 +160,21 @@ TEST(DeviceSimulation, NamesAForceTooLargeForFixedPointSums) {
 TEST(DeviceSimulation, NeighbourListsMissNoContact) {
   Scene bed = random_bed({.n_particles = 1500, .seed = 9, .spacing = 2.1});
   for (Vector3d& velocity : bed.particles.velocity) velocity *= 20;
-  const auto lists = backend("opencl").create(bed, Variant::parse("branchy/verlet/cell/fp64/default"), {});
-  const auto cells = backend("opencl").create(bed, Variant::parse("branchy/cells/cell/fp64/default"), {});
+  const std::string precision_and_math = "/cell/fp64/default";
+  const auto cells = backend("opencl").create(bed, Variant::parse("branchy/cells" + precision_and_math), {});
+  const auto lists = backend("opencl").create(bed, Variant::parse("branchy/verlet" + precision_and_math), {});
+  const auto groups =
+      backend("opencl").create(bed, Variant::parse("branchy/cluster" + precision_and_math), {});
   for (int k = 0; k < 60; ++k) {
-    lists->step(1);
-    cells->step(1);
+    for (const auto* simulation : {&lists, &groups, &cells}) (*simulation)->step(1);
     ASSERT_EQ(lists->contact_count(), cells->contact_count()) << "step " << k + 1;
+    ASSERT_EQ(groups->contact_count(), cells->contact_count()) << "step " << k + 1;
   }
-  std::uint64_t evaluations = 0, listings = 0;
-  for (const KernelTiming& timing : lists->timings()) {
-    if (timing.kernel == "list_neighbours") listings = timing.calls;
-    if (timing.kernel == "force_between_particles") evaluations = timing.calls;
+  for (const std::uint64_t listings :
+       {calls_of(*lists, "list_neighbours"), calls_of(*groups, "list_groups")}) {
+    EXPECT_GT(listings, 3u);
+    EXPECT_LT(2 * listings, calls_of(*lists, "force_between_particles"));
   }
-  EXPECT_GT(listings, 3u);
-  EXPECT_LT(2 * listings, evaluations);
 }
 
 TEST(DeviceSimulation, NamesAParticleWithMoreNeighboursThanItsListHolds) {
