@@ -3,7 +3,8 @@
 
     scripts/measured_table.py reports/measured/h100-variants
 
-A file's name says its set: BACKEND-SET-VARIANT.json. Whole steps in ms; the kernel of forces between particles in us.
+A file's name says its set: BACKEND-SET-VARIANT.json. Whole steps in ms; of the set with most variants (the first of them) also the kernels of
+forces between particles, in us. Rows by the steps of that set.
 """
 import json
 import pathlib
@@ -23,16 +24,17 @@ def main(folder):
             sets.append(name)
         forces = [k["seconds"]["median"] for k in document["kernels"] if k["kernel"] in FORCES]
         rows.setdefault(document["variant"], {})[name] = (document["step"]["seconds"]["median"], sum(forces))
-    print("| variant | " + " | ".join(f"{s}: step [ms]" + (", forces [us]" if s == sets[0] else "") for s in sets) + " |")
+    main_set = max(sets, key=lambda name: sum(name in row for row in rows.values()))
+    print("| variant | " + " | ".join(f"{s}: step [ms]" + (", forces [us]" if s == main_set else "") for s in sets) + " |")
     print("|---|" + "---:|" * len(sets))
-    for variant in sorted(rows, key=lambda v: rows[v].get(sets[0], (9e9,))[0]):
+    for variant in sorted(rows, key=lambda v: rows[v].get(main_set, (9e9,))[0]):
         cells = []
         for s in sets:
             if s not in rows[variant]:
                 cells.append("")
                 continue
             step, forces = rows[variant][s]
-            cells.append(f"{step * 1e3:.3f}" + (f", {forces * 1e6:.0f}" if s == sets[0] else ""))
+            cells.append(f"{step * 1e3:.3f}" + (f", {forces * 1e6:.0f}" if s == main_set else ""))
         print(f"| `{variant}` | " + " | ".join(cells) + " |")
 
 
