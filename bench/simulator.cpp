@@ -1,5 +1,5 @@
-// What simulating a force kernel costs: run natively, traced, traced with addresses, merged, and checked. One
-// thread, so that the figures compare with one core of a CPU OpenCL device.
+// What simulating a force kernel costs: run natively, traced, traced with addresses, merged, checked, and
+// replayed over machine code. One thread, so that the figures compare with one core of a CPU OpenCL device.
 //
 //   POCL_MAX_PTHREAD_COUNT=1 bench_simulator --benchmark_filter=/131072 [--scene=FILE]
 //
@@ -26,6 +26,7 @@
 #include "profiler/kernel_declaration.hpp"
 #include "profiler/opencl_frontend.hpp"
 #include "profiler/profile.hpp"
+#include "profiler/sass/ptxas.hpp"
 #include "variants/backend.hpp"
 #include "variants/device_scene.hpp"
 #include "variants/step_plan.hpp"
@@ -121,9 +122,11 @@ class ForceKernel {
       benchmark::DoNotOptimize(runner->run({group, 0, 0}).data());
   }
 
-  LaunchCounters profile(const Executable& executable, const std::vector<WhatIf>& what_if = {}) const {
+  LaunchCounters profile(const Executable& executable, const std::vector<WhatIf>& what_if = {},
+                         WeightOptions weights = {}) const {
     ProfileOptions options;
     options.threads = 1;
+    options.weights = std::move(weights);
     options.what_if = what_if;
     return profile_launch(executable, shape_, arguments_, "", options);
   }
@@ -185,6 +188,25 @@ void run_and_merge(benchmark::State& state, TraceMode mode, Checks checks) {
         static_cast<double>(loads.sectors) / static_cast<double>(loads.requests);
 }
 
+// Compare with run_and_merge: the same, and the replay. ptxas runs once, before the first reading.
+void run_and_replay(benchmark::State& state, TraceMode mode) {
+  if (!sass::find_ptxas()) {
+    state.SkipWithError("ptxas is not installed");
+    return;
+  }
+  ForceKernel& kernel = force_kernel(state.range(0));
+  const Executable& executable = kernel.executable(mode, Checks::off);
+  const WeightOptions weights{WeightOptions::Kind::sass, "sm_90"};
+  LaunchCounters counters = kernel.profile(executable, {}, weights);
+  if (!counters.weights.sass) {
+    state.SkipWithError(counters.weights.reason.c_str());
+    return;
+  }
+  for (auto _ : state) counters = kernel.profile(executable, {}, weights);
+  state.SetItemsProcessed(state.iterations() * state.range(0));
+  state.counters["efficiency"] = counters.totals.simt_efficiency(counters.warp_width);
+}
+
 std::vector<WhatIf> four_widths_and_three_policies(const ThreadOrder& order) {
   std::vector<WhatIf> questions;
   for (const std::uint32_t width : {8U, 16U, 32U, 64U})
@@ -236,6 +258,8 @@ BENCHMARK_CAPTURE(run_and_merge, blocks_checked, TraceMode::blocks, Checks::on)-
 BENCHMARK_CAPTURE(run_and_merge, addresses, TraceMode::blocks_and_addresses, Checks::off)->Apply(sizes);
 BENCHMARK_CAPTURE(run_and_merge, addresses_checked, TraceMode::blocks_and_addresses, Checks::on)
     ->Apply(sizes);
+BENCHMARK_CAPTURE(run_and_replay, blocks, TraceMode::blocks)->Apply(sizes);
+BENCHMARK_CAPTURE(run_and_replay, addresses, TraceMode::blocks_and_addresses)->Apply(sizes);
 BENCHMARK_CAPTURE(run_and_ask, blocks, TraceMode::blocks, "launched")->Apply(sizes);
 BENCHMARK_CAPTURE(run_and_ask, addresses, TraceMode::blocks_and_addresses, "launched")->Apply(sizes);
 BENCHMARK_CAPTURE(run_and_ask, sorted, TraceMode::blocks, "sorted")->Apply(sizes);

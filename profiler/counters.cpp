@@ -45,6 +45,7 @@ std::uint64_t BlockTotals::lane_slots_idle() const {
 void Totals::add(const Totals& other) {
   warp_instructions += other.warp_instructions;
   thread_instructions += other.thread_instructions;
+  thread_instructions_pred_on += other.thread_instructions_pred_on;
   lane_histogram.resize(std::max(lane_histogram.size(), other.lane_histogram.size()));
   for (std::size_t i = 0; i < other.lane_histogram.size(); ++i) lane_histogram[i] += other.lane_histogram[i];
   branches += other.branches;

@@ -48,6 +48,8 @@ struct InstructionCount {
 struct Totals {
   std::uint64_t warp_instructions = 0;
   std::uint64_t thread_instructions = 0;
+  // Of these, lanes whose predicate was true; 0: not counted, which only the replay of machine code does.
+  std::uint64_t thread_instructions_pred_on = 0;
   std::vector<std::uint64_t> lane_histogram;  // [warp_width + 1]: warp instructions by number of active lanes
   std::uint64_t branches = 0;                 // conditional branches, counted per warp
   std::uint64_t divergent_branches = 0;       // those whose lanes disagreed
@@ -129,6 +131,11 @@ struct WeightsUsed {
   std::uint64_t registers = 0;  // of a lane, as ptxas gave them; 0: not known
   // Choices of lanes that were taken not to need the routines for rare operands (of a division, say).
   std::uint64_t fast_paths = 0;
+  // Accesses of the PTX whose requests are those of its merged lanes, since the machine code's could not be
+  // followed.
+  std::uint64_t requests_of_ptx = 0;
+  // Of the thread instructions, those under a predicate that nothing in the trace tells.
+  std::uint64_t predicates_assumed = 0;
   bool operator==(const WeightsUsed&) const = default;
 };
 

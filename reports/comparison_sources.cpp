@@ -33,6 +33,7 @@ std::vector<KernelQuantities> of_report(const Report& report) {
     if (kernel.predicted) values[seconds] += kernel.predicted->seconds;
     add("warp_instructions", t.warp_instructions);
     add("thread_instructions", t.thread_instructions);
+    if (t.thread_instructions_pred_on != 0) add("thread_instructions_pred_on", t.thread_instructions_pred_on);
     add("branches", t.branches);
     add("divergent_branches", t.divergent_branches);
     add("sfu_instructions", t.sfu_instructions);

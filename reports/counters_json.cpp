@@ -117,9 +117,11 @@ Json to_json(const Totals& totals, std::uint32_t warp_width, TotalsParts parts) 
           {"warp", count.warp}, {"thread", count.thread}};
   }
   Json json{{"warp_instructions", totals.warp_instructions},
-            {"thread_instructions", totals.thread_instructions},
-            {"active_lanes", totals.active_lanes()},
-            {"simt_efficiency", totals.simt_efficiency(warp_width)}};
+            {"thread_instructions", totals.thread_instructions}};
+  if (totals.thread_instructions_pred_on != 0)
+    json["thread_instructions_pred_on"] = totals.thread_instructions_pred_on;
+  json["active_lanes"] = totals.active_lanes();
+  json["simt_efficiency"] = totals.simt_efficiency(warp_width);
   if (parts.lanes) {
     json["lane_histogram"] = totals.lane_histogram;
     json["branches"] = totals.branches;
@@ -138,6 +140,8 @@ Totals totals_from(const JsonReader& place, std::uint32_t warp_width, TotalsPart
   Totals totals;
   totals.warp_instructions = place.at("warp_instructions").whole_number();
   totals.thread_instructions = place.at("thread_instructions").whole_number();
+  totals.thread_instructions_pred_on =
+      optional_whole_number(place, "thread_instructions_pred_on").value_or(0);
   if (parts.lanes) read_lanes(place, warp_width, totals);
   totals.sfu_instructions = place.at("sfu_instructions").whole_number();
   read_mix(place.at("instruction_mix"), totals);

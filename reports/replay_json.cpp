@@ -14,6 +14,8 @@ nlohmann::ordered_json to_json(const profiler::WeightsUsed& weights) {
   json["underived_choices"] = weights.underived;
   if (weights.registers != 0) json["registers"] = weights.registers;
   json["fast_paths_assumed"] = weights.fast_paths;
+  json["predicates_assumed"] = weights.predicates_assumed;
+  json["requests_of_ptx"] = weights.requests_of_ptx;
   return json;
 }
 
@@ -25,7 +27,9 @@ profiler::WeightsUsed weights_from(const JsonReader& place) {
           .reason = optional_string(place, "reason").value_or(""),
           .underived = place.at("underived_choices").whole_number(),
           .registers = place.has("registers") ? place.at("registers").whole_number() : 0,
-          .fast_paths = place.at("fast_paths_assumed").whole_number()};
+          .fast_paths = place.at("fast_paths_assumed").whole_number(),
+          .requests_of_ptx = optional_whole_number(place, "requests_of_ptx").value_or(0),
+          .predicates_assumed = optional_whole_number(place, "predicates_assumed").value_or(0)};
 }
 
 }  // namespace warpgrain::reports

@@ -15,6 +15,11 @@ std::string line_of(const profiler::WeightsUsed& weights) {
   if (weights.fast_paths != 0)
     line += fmt::format("; {} choices of lanes taken not to need routines for rare operands",
                         count_text(weights.fast_paths));
+  if (weights.predicates_assumed != 0)
+    line +=
+        fmt::format("; predicates of {} thread instructions assumed", count_text(weights.predicates_assumed));
+  if (weights.requests_of_ptx != 0)
+    line += fmt::format("; requests of {} accesses are those of the PTX", weights.requests_of_ptx);
   return line;
 }
 

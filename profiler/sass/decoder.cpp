@@ -107,6 +107,52 @@ void decode_flow(const Word& word, unsigned sm, Instruction& i) {
   }
 }
 
+// Which fields hold predicates that the operation writes.
+unsigned predicate_destinations(std::uint16_t number) {
+  switch (number) {
+    case 0x00B:  // FSETP
+    case 0x00C:  // ISETP
+    case 0x010:  // IADD3, its carries
+    case 0x01C:  // PLOP3
+    case 0x02A:  // DSETP
+    case 0x034:  // HSETP2
+      return 2;
+    case 0x006:  // VOTE
+    case 0x011:  // LEA
+    case 0x012:  // LOP3
+    case 0x025:  // IMAD.WIDE
+    case 0x027:  // IMAD.HI
+    case 0x102:  // FCHK
+    case 0x189:  // SHFL
+    case 0x18A:  // atomic operations that say whether they succeeded
+    case 0x18B:
+    case 0x18D:
+    case 0x195:  // QSPC
+    case 0x1A1:  // MATCH
+    case 0x1A8:
+    case 0x1A9:
+      return 1;
+    default:
+      return 0;
+  }
+}
+
+void decode_predicates(const Word& word, Instruction& i) {
+  const std::uint16_t number = operation_number(i.opcode);
+  const auto write = [&](std::uint64_t predicate) {
+    if (predicate != always) i.predicates_written |= static_cast<std::uint8_t>(1U << predicate);
+  };
+  const unsigned n = predicate_destinations(number);
+  if (n > 0) write(word.bits(81, 83));
+  if (n > 1) write(word.bits(84, 86));
+  if (number == 0x004) i.predicates_written = 0x7F;  // R2P
+  const bool no_inputs =
+      word.bits(68, 70) == always && word.bits(77, 79) == always && word.bits(87, 89) == always;
+  const bool negated = word.bits(71, 71) != 0 || word.bits(80, 80) != 0 || word.bits(90, 90) != 0;
+  if (number == 0x01C && no_inputs && !negated && word.bits(84, 86) == always)
+    i.constant_predicate = static_cast<std::int8_t>(word.bits(76, 76));  // of its table, all inputs true
+}
+
 bool is_padding(const Instruction& instruction) {
   return operation_number(instruction.opcode) == 0x118 ||
          (instruction.flow == Flow::branch && instruction.target == instruction.address);
@@ -138,6 +184,7 @@ std::vector<Instruction> decode(std::string_view code, unsigned sm) {
       instruction.special_function = operation->special_function;
     }
     decode_flow(word, sm, instruction);
+    decode_predicates(word, instruction);
     instructions.push_back(instruction);
   }
   while (!instructions.empty() && is_padding(instructions.back())) instructions.pop_back();

@@ -46,8 +46,11 @@ struct Instruction {
   bool condition_negated = false;
   bool uniform_condition = false;
   bool if_divergent = false;  // BRA.DIV: taken by warps whose lanes have parted
-  std::uint8_t barrier = 0;   // of open, meet, leave, save and restore
-  std::uint8_t reg = 0;       // of save and restore
+  // Predicates that it writes, a bit each; of PLOP3 without inputs the value that all of them get, else -1.
+  std::uint8_t predicates_written = 0;
+  std::int8_t constant_predicate = -1;
+  std::uint8_t barrier = 0;  // of open, meet, leave, save and restore
+  std::uint8_t reg = 0;      // of save and restore
   std::uint32_t target = no_target;
   // Registers by number; of forms with an immediate operand (bits 9 to 11 are 4), its value.
   std::uint8_t destination = 0, source = 0;

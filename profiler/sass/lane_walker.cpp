@@ -61,29 +61,33 @@ std::uint32_t LaneWalker::index_of(const Node& node) const {
 }
 
 void LaneWalker::walk(const BlockIndex* trace, Choices& choices) {
-  trace_ = trace;
+  begin_ = trace_ = trace;
   returns_.clear();
   fits_ = true;
   pass(plan_.entry);
   const Way* way = &plan_.entry;
   // A lane that takes no guard it should may go round and round.
-  std::size_t budget = 1024;
-  for (const BlockIndex* entry = trace; *entry != trace_end; ++entry) budget += 64;
-  for (; budget != 0; --budget) {
+  std::size_t steps = 0, budget = 1024;
+  for (;; ++steps) {
+    if (steps == budget) {
+      if (budget != 1024) break;
+      for (const BlockIndex* entry = trace; *entry != trace_end; ++entry) budget += 64;
+      if (steps == budget) break;
+    }
     const Node& node = plan_.nodes[way->node];
     bool taken = false;
     switch (node.rule) {
       case Rule::decision:
         taken = take_decision(node);
-        choices.push_back(taken ? 1 : 0);
+        choose(taken ? 1 : 0, choices);
         break;
       case Rule::trips:
         taken = take_trips(node);
-        choices.push_back(taken ? 1 : 0);
+        choose(taken ? 1 : 0, choices);
         break;
       case Rule::unknown:
         ++counters_.underived[way->node];
-        choices.push_back(0);
+        choose(0, choices);
         break;
       case Rule::fast_path:
         ++counters_.fast_paths;
@@ -93,7 +97,7 @@ void LaneWalker::walk(const BlockIndex* trace, Choices& choices) {
         break;
       case Rule::indirect: {
         const std::uint32_t entry = take_indirect(node);
-        choices.push_back(static_cast<std::uint16_t>(entry));
+        choose(entry, choices);
         way = &node.table[entry];
         pass(*way);
         continue;
@@ -121,6 +125,10 @@ void LaneWalker::walk(const BlockIndex* trace, Choices& choices) {
     pass(*way);
   }
   ++counters_.out_of_step;
+}
+
+void LaneWalker::choose(std::uint32_t way, Choices& choices) const {
+  choices.push_back({static_cast<std::uint16_t>(way), static_cast<std::uint32_t>(trace_ - begin_)});
 }
 
 bool LaneWalker::take_decision(const Node& node) {

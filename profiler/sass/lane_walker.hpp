@@ -12,7 +12,11 @@ namespace warpgrain::profiler::sass {
 
 // What a lane chose at each node of its way, in order: at guards whose rule is decision, trips or unknown 1
 // if it took the guard, else 0; at indirect branches the entry of the table. Other nodes leave no choice.
-using Choices = std::vector<std::uint16_t>;
+struct Choice {
+  std::uint16_t way = 0;
+  std::uint32_t entries = 0;  // of the trace that the lane has left behind then
+};
+using Choices = std::vector<Choice>;
 
 // One a thread.
 class LaneWalker {
@@ -29,6 +33,7 @@ class LaneWalker {
     std::uint32_t first_way = no_code;     // the block to which the first way of the decision goes
   };
 
+  void choose(std::uint32_t way, Choices& choices) const;
   void note_folded(const PtxDecisions& decisions);
   bool take_decision(const Node& node);
   bool take_trips(const Node& node);
@@ -46,6 +51,7 @@ class LaneWalker {
   // [decisions][blocks of the PTX]: 1 + the way of the decision that goes to the block, where a decision
   // before it, folded into its guard, can go there as well and so pass it by; else 0.
   std::vector<std::vector<std::uint8_t>> folded_;
+  const BlockIndex* begin_ = nullptr;     // of the trace
   const BlockIndex* trace_ = nullptr;     // what has not been used yet; never beyond its end
   std::vector<std::int64_t> trips_left_;  // [loops]
   std::vector<std::uint32_t> returns_;    // nodes of calls that have not come back

@@ -93,7 +93,9 @@ void LaunchReplay::finish(const SourceLines& source, const WarpCounters& of_ptx,
       used_.reason = fmt::format("the replay contradicts the trace: {}", found.front());
     } else {
       used_.sass = true;
-      put_replay(*kernel_, sum, source, launch);
+      launch.weights = used_;
+      put_replay(*kernel_, sum, of_ptx, source, launch);
+      return;
     }
   }
   launch.weights = used_;

@@ -17,7 +17,8 @@ ReplayCounters::ReplayCounters(const CodeGraph& code, const ReplayPlan& plan, co
       divergent(code.blocks.size()),
       taken_lanes(code.blocks.size()),
       lane_slots_lost(graph.blocks.size() + 1),
-      underived(plan.nodes.size()) {}
+      underived(plan.nodes.size()),
+      requests(plan.memory.streams.size()) {}
 
 void ReplayCounters::add(const ReplayCounters& other) {
   warps += other.warps;
@@ -29,6 +30,7 @@ void ReplayCounters::add(const ReplayCounters& other) {
   add_to(underived, other.underived);
   out_of_step += other.out_of_step;
   stuck += other.stuck;
+  requests.add(other.requests);
   fast_paths += other.fast_paths;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "profiler/sass/replay_plan.hpp"
+#include "profiler/sass/request_counter.hpp"
 
 namespace warpgrain::profiler::sass {
 
@@ -40,6 +41,7 @@ struct ReplayCounters {
   std::vector<std::uint64_t> underived;        // [nodes]: choices of lanes that could not be derived
   std::uint64_t out_of_step = 0;               // lanes whose trace and way through the code do not fit
   std::uint64_t stuck = 0;                     // meetings that lanes were expected at that could not come
+  RequestCounters requests;
   std::uint64_t fast_paths = 0;  // choices of lanes that were taken not to need a routine for rare operands
 };
 

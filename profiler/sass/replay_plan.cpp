@@ -15,6 +15,7 @@ class Planner {
   Planner(const CodeGraph& code, const PtxDecisions& decisions)
       : code_(code), decisions_(decisions), links_(link_guards(code, decisions)) {
     plan_.loops = find_trip_loops(code, decisions, links_);
+    plan_.memory = find_memory_sites(code, decisions);
   }
 
   ReplayPlan plan() {

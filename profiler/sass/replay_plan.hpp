@@ -6,6 +6,7 @@
 
 #include "profiler/sass/code_graph.hpp"
 #include "profiler/sass/guard_links.hpp"
+#include "profiler/sass/memory_sites.hpp"
 #include "profiler/sass/ptx_decisions.hpp"
 #include "profiler/sass/trip_loops.hpp"
 
@@ -61,6 +62,7 @@ struct Node {
 struct ReplayPlan {
   std::vector<Node> nodes;
   std::vector<TripLoop> loops;
+  MemorySites memory;
   Way entry;
   std::vector<std::uint32_t> node_of;  // [blocks of the code], no_code for those that only go on
 };

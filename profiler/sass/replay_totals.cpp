@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "profiler/observers/branches.hpp"
+#include "profiler/observers/lines.hpp"
 #include "profiler/observers/totals.hpp"
+#include "profiler/sass/predicated_lanes.hpp"
 
 namespace warpgrain::profiler::sass {
 namespace {
@@ -26,8 +28,10 @@ bool is_jump(const Instruction& instruction) {
 
 class Summing {
  public:
-  Summing(const MachineKernel& kernel, const ReplayCounters& counters)
-      : kernel_(kernel), counters_(counters) {}
+  Summing(const MachineKernel& kernel, const ReplayCounters& counters, const WarpCounters& of_ptx)
+      : kernel_(kernel), counters_(counters), predicated_(count_predicated(kernel, counters, of_ptx)) {}
+
+  std::uint64_t predicates_assumed() const { return predicated_.assumed; }
 
   // Adds one instruction of a block.
   void add(std::uint32_t b, std::uint32_t k, Totals& totals) const {
@@ -44,6 +48,7 @@ class Summing {
     }
     totals.warp_instructions += warps;
     totals.thread_instructions += threads;
+    totals.thread_instructions_pred_on += predicated_.on[k];
     if (instruction.special_function) totals.sfu_instructions += warps;
     InstructionCount& mix = totals.instruction_mix[static_cast<std::size_t>(instruction.instruction_class)];
     mix.warp += warps;
@@ -62,6 +67,7 @@ class Summing {
  private:
   const MachineKernel& kernel_;
   const ReplayCounters& counters_;
+  PredicatedLanes predicated_;
 };
 
 void keep_requests(const Totals& from, Totals& to) {
@@ -72,8 +78,35 @@ void keep_requests(const Totals& from, Totals& to) {
   to.atomic = from.atomic;
 }
 
-std::vector<LineTotals> line_totals(const MachineKernel& kernel, const Summing& summing,
-                                    const std::vector<LineTotals>& of_ptx) {
+// The sums of the merged lanes with the requests of the replay: at the first access of each stream those of
+// all, at the others none. A stream whose accesses did not match stays as it was, and so do those whose
+// instructions it shares.
+WarpCounters with_replayed_requests(const MachineKernel& kernel, const RequestCounters& replayed,
+                                    const WarpCounters& of_ptx, WeightsUsed& weights) {
+  const MemorySites& memory = kernel.plan.memory;
+  const auto follows = [&](std::uint32_t s) {
+    if (replayed.unmatched[s] != 0) return false;
+    for (const std::uint32_t other : memory.streams[s].without_site)
+      if (replayed.unmatched[other] != 0 && replayed.borrowed[other] != 0) return false;
+    return true;
+  };
+  WarpCounters result = of_ptx;
+  std::vector<bool> placed(memory.streams.size(), false);
+  for (std::uint32_t b = 0; b < memory.of_access.size(); ++b)
+    for (std::uint32_t k = 0; k < memory.of_access[b].size(); ++k) {
+      const std::uint32_t s = memory.of_access[b][k];
+      if (!follows(s)) {
+        weights.requests_of_ptx += placed[s] ? 0 : 1;
+      } else {
+        result.accesses[of_ptx.first_access[b] + k] = placed[s] ? MemoryCounters{} : replayed.requests[s];
+      }
+      placed[s] = true;
+    }
+  return result;
+}
+
+std::vector<LineTotals> lines_of_code(const MachineKernel& kernel, const Summing& summing,
+                                      const std::vector<LineTotals>& of_ptx) {
   const KernelGraph& graph = kernel.decisions.graph();
   std::map<std::pair<std::string, std::uint32_t>, Totals> lines;
   const auto at = [&](const std::string& file, std::uint32_t line) -> Totals& {
@@ -135,16 +168,21 @@ std::vector<BranchTotals> branch_totals(const MachineKernel& kernel, const Repla
 
 }  // namespace
 
-void put_replay(const MachineKernel& kernel, const ReplayCounters& counters, const SourceLines& source,
-                LaunchCounters& launch) {
-  const Summing summing(kernel, counters);
+void put_replay(const MachineKernel& kernel, const ReplayCounters& counters, const WarpCounters& of_ptx,
+                const SourceLines& source, LaunchCounters& launch) {
+  const KernelGraph& graph = kernel.decisions.graph();
+  const WarpCounters requests = with_replayed_requests(kernel, counters.requests, of_ptx, launch.weights);
+  launch.totals = launch_totals(graph, requests);
+  launch.lines = line_totals(graph, requests);
+  const Summing summing(kernel, counters, of_ptx);
+  launch.weights.predicates_assumed = summing.predicates_assumed();
   Totals totals = empty_totals(replayed_warp_width);
   keep_requests(launch.totals, totals);
   for (std::uint32_t b = 0; b < kernel.code.blocks.size(); ++b)
     for (std::uint32_t k = kernel.code.blocks[b].first; k < kernel.code.blocks[b].last; ++k)
       summing.add(b, k, totals);
   launch.totals = std::move(totals);
-  launch.lines = line_totals(kernel, summing, launch.lines);
+  launch.lines = lines_of_code(kernel, summing, launch.lines);
   launch.branches = branch_totals(kernel, counters, source);
   launch.lane_slots_never_used = counters.lane_slots_lost[counters.never_used()];
 }

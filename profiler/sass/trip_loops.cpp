@@ -102,26 +102,26 @@ class Finder {
         const Instruction& i = code_.instructions[k];
         const PtxPlace* place = place_in(l, i);
         if (place == nullptr) continue;
-        auto& [copies, block] = instructions[{i.line, i.opcode}];
+        auto& [copies, block] = instructions[{i.line, operation(i)}];
         ++copies[b];
         block = place->block;
         std::uint32_t& steps = by_steps[b];
         steps = std::max(steps, steps_of(i, graph.blocks[place->block].instructions[place->instruction]));
-        const bool is_body = i.instruction_class != InstructionClass::predicate;
-        if (is_body && i.guard == always) loop.predicated[b] = false;
       }
-    std::map<std::pair<Copies, std::uint32_t>, int> votes;
+    using Vote = std::pair<Copies, std::uint32_t>;
+    std::map<Vote, int> votes;
     for (auto& [instruction, found] : instructions) {
       auto& [copies, block] = found;
       std::uint32_t common = 0;
       for (const auto& [at, count] : copies) common = std::gcd(common, count);
       if (copies.size() > 1)
         for (auto& [at, count] : copies) count /= common;
-      votes[{copies, block}] += weight(code_, instruction);
+      votes[Vote(copies, block)] += weight(code_, instruction);
     }
     if (votes.empty()) return false;
     const auto best = std::ranges::max_element(votes, {}, [](const auto& vote) { return vote.second; });
     for (const auto& [b, count] : best->first.first) loop.copies[b] = count;
+    note_predicated(l, best->first, instructions, loop);
     // A single step may stand in another block than the body that it belongs to.
     for (const auto& [b, count] : by_steps)
       if (count > 1) loop.copies[b] = std::max(loop.copies[b], count);
@@ -135,6 +135,20 @@ class Finder {
         if (on_run == best->first.second) loop.counts[b] = true;
       });
     return true;
+  }
+
+  // A block makes its copies under a predicate if those that say how many there are run under one; what tests
+  // and counts the trips beside them does not.
+  template <class Instructions>
+  void note_predicated(std::uint32_t l, const std::pair<Copies, std::uint32_t>& elected,
+                       const Instructions& instructions, TripLoop& loop) const {
+    for (std::uint32_t b = 0; b < code_.blocks.size(); ++b)
+      for (std::uint32_t k = code_.blocks[b].first; k < code_.blocks[b].last; ++k) {
+        const Instruction& i = code_.instructions[k];
+        if (i.guard != always || i.instruction_class == InstructionClass::predicate) continue;
+        if (place_in(l, i) != nullptr && instructions.at({i.line, operation(i)}) == elected)
+          loop.predicated[b] = false;
+      }
   }
 
   // `add.s32 %r1, %r1, 32` that became R5 = R5 + 128 makes four steps at once; 0 for what is no such counter.
@@ -151,7 +165,7 @@ class Finder {
 
   static int weight(const CodeGraph& code, const std::pair<std::uint32_t, std::uint16_t>& instruction) {
     const auto found = std::ranges::find_if(code.instructions, [&](const Instruction& i) {
-      return i.line == instruction.first && i.opcode == instruction.second;
+      return i.line == instruction.first && operation(i) == instruction.second;
     });
     switch (found->instruction_class) {
       case InstructionClass::global_load:
@@ -169,6 +183,9 @@ class Finder {
         return 1;
     }
   }
+
+  // Without the form: the assembler may add a register in one copy and a number in another.
+  static std::uint16_t operation(const Instruction& i) { return i.opcode & 0x1FFU; }
 
   bool is_trip_guard(const TripLoop& loop, std::uint32_t b) const {
     return code_.blocks[b].end == End::guard && links_[b].kind != GuardLink::Kind::fast_path &&

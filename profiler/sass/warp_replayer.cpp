@@ -2,6 +2,7 @@
 
 #include <array>
 #include <bit>
+#include <limits>
 #include <vector>
 
 #include "profiler/partings.hpp"
@@ -26,6 +27,7 @@ class Replayer final : public WarpReplayer {
         decisions_(decisions),
         counters_(counters),
         walker_(plan, decisions, counters),
+        requests_(plan.memory, decisions, counters.requests),
         partings_(counters.lane_slots_lost) {}
 
   void replay(std::span<const LaneTrace> lanes) override {
@@ -48,6 +50,11 @@ class Replayer final : public WarpReplayer {
       next_choice_[lane] = choices_.data() + begins[lane];
       last_choice_[lane] = choices_.data() + ends[lane];
     });
+    with_requests_ = lanes[static_cast<std::size_t>(std::countr_zero(alive_))].addresses != nullptr;
+    if (with_requests_) {
+      requests_.begin_warp();
+      for_lanes(alive_, [&](std::uint32_t lane) { requests_.add_lane(lane, lanes[lane]); });
+    }
     lost_ = false;
     for (auto& of_barrier : expected_) of_barrier.fill(0);
     frames_.clear();
@@ -61,6 +68,7 @@ class Replayer final : public WarpReplayer {
       }
       if (lost_) give_up();
     }
+    if (with_requests_) requests_.end_warp();
   }
 
  private:
@@ -77,7 +85,7 @@ class Replayer final : public WarpReplayer {
 
   // The lane's next choice. A lane without one has lost its way: the warp is not followed any further.
   std::uint16_t choose(std::uint32_t lane) {
-    if (next_choice_[lane] != last_choice_[lane]) return *next_choice_[lane]++;
+    if (next_choice_[lane] != last_choice_[lane]) return next_choice_[lane]++->way;
     if (!lost_) ++counters_.out_of_step;
     lost_ = true;
     return 0;
@@ -105,6 +113,7 @@ class Replayer final : public WarpReplayer {
       const CodeBlock& block = code_.blocks[group.block];
       ++counters_.block_executions[std::size_t{group.block} * (replayed_warp_width + 1) + n_lanes];
       partings_.issue(group.node, block.last - block.first);
+      if (with_requests_ && !plan_.memory.of_block[group.block].empty()) count_requests(group);
       for (const MaskAction& action : block.actions) act(action, group.lanes);
       if (left_ && !waiting_.empty()) release_any();
       left_ = false;
@@ -147,6 +156,16 @@ class Replayer final : public WarpReplayer {
           break;
       }
     }
+  }
+
+  void count_requests(const Group& group) {
+    std::array<std::uint32_t, replayed_warp_width> ahead{};
+    if (requests_.needs_ahead(group.block))
+      for_lanes(group.lanes, [&](std::uint32_t lane) {
+        ahead[lane] = next_choice_[lane] == last_choice_[lane] ? std::numeric_limits<std::uint32_t>::max()
+                                                               : next_choice_[lane]->entries;
+      });
+    requests_.count(group.block, group.lanes, ahead);
   }
 
   void act(const MaskAction& action, Mask lanes) {
@@ -371,9 +390,11 @@ class Replayer final : public WarpReplayer {
   const PtxDecisions& decisions_;
   ReplayCounters& counters_;
   LaneWalker walker_;
+  RequestCounter requests_;
   Partings partings_;
   Choices choices_;  // of the warp's lanes, one after another
-  std::array<const std::uint16_t*, replayed_warp_width> next_choice_{}, last_choice_{};
+  std::array<const Choice*, replayed_warp_width> next_choice_{}, last_choice_{};
+  bool with_requests_ = false;
   bool lost_ = false;  // the replay and the lanes' traces have parted
   Mask alive_ = 0;
   std::uint64_t n_partings_ = 0;

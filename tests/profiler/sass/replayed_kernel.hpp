@@ -22,7 +22,7 @@ class ReplayedKernel {
  public:
   ReplayedKernel(const std::string& source, const std::string& name, const LaunchShape& shape,
                  const std::vector<KernelArgument>& arguments, const std::string& arch = "sm_90")
-      : executable_(compile_kernel(source, name, TraceMode::blocks)),
+      : executable_(compile_kernel(source, name, TraceMode::blocks_and_addresses)),
         kernel_(assemble_kernel(*find_ptxas(), executable_->ptx(), executable_->graph(), arch)),
         replay_(kernel_->code, kernel_->plan, executable_->graph()),
         of_ptx_(executable_->graph(), replayed_warp_width) {

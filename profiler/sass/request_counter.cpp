@@ -1,0 +1,104 @@
+#include "profiler/sass/request_counter.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <span>
+
+#include "profiler/observers/warp_counters.hpp"
+
+namespace warpgrain::profiler::sass {
+
+void RequestCounters::add(const RequestCounters& other) {
+  for (std::size_t s = 0; s < requests.size(); ++s) {
+    requests[s].add(other.requests[s]);
+    unmatched[s] += other.unmatched[s];
+    borrowed[s] += other.borrowed[s];
+  }
+}
+
+RequestCounter::RequestCounter(const MemorySites& sites, const PtxDecisions& decisions,
+                               RequestCounters& counters)
+    : sites_(sites),
+      counters_(counters),
+      queues_(std::size_t{sites.n_queues} * 32),
+      taken_(sites.streams.size() * 32) {
+  for (std::uint32_t b = 0; b < sites.of_access.size(); ++b) {
+    Run& run = runs_.emplace_back();
+    decisions.for_run(b, [&](std::uint32_t on_run) {
+      for (const MemorySites::QueueEntry& entry : sites.queues_of[on_run])
+        run.pushes.push_back({entry.queue, run.n_addresses + entry.first});
+      run.n_addresses += static_cast<std::uint32_t>(sites.of_access[on_run].size());
+    });
+  }
+  for (const std::vector<MemorySite>& of_block : sites.of_block)
+    needs_ahead_.push_back(std::ranges::any_of(of_block, [&](const MemorySite& site) {
+      return site.guarded || !sites.streams[site.stream].without_site.empty();
+    }));
+}
+
+void RequestCounter::begin_warp() {
+  for (std::vector<Noted>& queue : queues_) queue.clear();
+  std::ranges::fill(taken_, 0U);
+}
+
+void RequestCounter::add_lane(std::uint32_t lane, const LaneTrace& trace) {
+  const std::uint64_t* addresses = trace.addresses;
+  std::uint32_t entry = 0;
+  for (const BlockIndex* block = trace.blocks; *block != trace_end; ++block, ++entry) {
+    const Run& run = runs_[*block];
+    for (const Push& push : run.pushes)
+      queues_[push.queue * 32 + lane].push_back({addresses + push.offset, entry});
+    addresses += run.n_addresses;
+  }
+}
+
+inline std::uint64_t RequestCounter::take_next(std::uint32_t stream, std::uint32_t lane) {
+  const Noted* chosen = next(stream, lane);
+  if (chosen == nullptr) {
+    ++counters_.unmatched[stream];
+    return no_address;
+  }
+  ++taken_[stream * 32 + lane];
+  return chosen->addresses[sites_.streams[stream].offset];
+}
+
+// The lane's next access at the site, of the stream itself or of one that shares its instruction.
+std::uint64_t RequestCounter::take(const MemorySite& site, std::uint32_t lane, std::uint32_t ahead) {
+  const Noted* chosen = next(site.stream, lane);
+  std::uint32_t from = site.stream;
+  if (chosen == nullptr || chosen->entry >= ahead)
+    for (const std::uint32_t stream : sites_.streams[site.stream].without_site) {
+      const Noted* other = next(stream, lane);
+      if (other == nullptr || (chosen != nullptr && (other->entry >= ahead || other->entry >= chosen->entry)))
+        continue;
+      chosen = other;
+      from = stream;
+    }
+  if (site.guarded && (chosen == nullptr || chosen->entry >= ahead)) return no_address;
+  if (from != site.stream) ++counters_.borrowed[from];
+  return take_next(chosen == nullptr ? site.stream : from, lane);
+}
+
+void RequestCounter::count(std::uint32_t block, std::uint32_t lanes,
+                           const std::array<std::uint32_t, 32>& ahead) {
+  for (const MemorySite& site : sites_.of_block[block]) {
+    std::array<std::uint64_t, 32> addresses;
+    std::size_t n = 0;
+    const AccessStream& stream = sites_.streams[site.stream];
+    const bool simple = !site.guarded && stream.without_site.empty();
+    for (std::uint32_t left = lanes; left != 0; left &= left - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(left));
+      addresses[n] = simple ? take_next(site.stream, lane) : take(site, lane, ahead[lane]);
+      n += addresses[n] != no_address ? 1 : 0;
+    }
+    count_request(counters_.requests[site.stream], std::span(addresses).first(n), stream.bytes);
+  }
+}
+
+void RequestCounter::end_warp() {
+  for (std::uint32_t s = 0; s < sites_.streams.size(); ++s)
+    for (std::uint32_t lane = 0; lane < 32; ++lane)
+      counters_.unmatched[s] += queues_[sites_.streams[s].queue * 32 + lane].size() - taken_[s * 32 + lane];
+}
+
+}  // namespace warpgrain::profiler::sass

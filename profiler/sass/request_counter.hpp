@@ -1,0 +1,72 @@
+#pragma once
+// Counts requests to memory where the machine code makes them: the lanes are those that the replay has there,
+// the addresses those of the trace.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "profiler/counters.hpp"
+#include "profiler/sass/memory_sites.hpp"
+#include "profiler/sass/ptx_decisions.hpp"
+#include "profiler/trace.hpp"
+
+namespace warpgrain::profiler::sass {
+
+// Sums over warps, by stream of the memory sites.
+struct RequestCounters {
+  explicit RequestCounters(std::size_t n_streams)
+      : requests(n_streams), unmatched(n_streams), borrowed(n_streams) {}
+  void add(const RequestCounters& other);
+
+  std::vector<MemoryCounters> requests;
+  // Accesses of lanes that the code makes and the trace does not, or the other way around: the requests of
+  // such a stream are not what the machine makes.
+  std::vector<std::uint64_t> unmatched;
+  std::vector<std::uint64_t> borrowed;  // accesses that an instruction of another stream made
+};
+
+// One a thread, for the lanes of one warp at a time. All outlive it.
+class RequestCounter {
+ public:
+  RequestCounter(const MemorySites& sites, const PtxDecisions& decisions, RequestCounters& counters);
+
+  void begin_warp();
+  // Takes in the addresses of a lane whose trace has them.
+  void add_lane(std::uint32_t lane, const LaneTrace& trace);
+  // The lanes come to a block of the code. `ahead`, of each: how many entries of its trace it has left behind
+  // when it makes its next choice; an access under a predicate that comes later is not of this block.
+  void count(std::uint32_t block, std::uint32_t lanes, const std::array<std::uint32_t, 32>& ahead);
+  bool needs_ahead(std::uint32_t block) const { return needs_ahead_[block]; }
+  void end_warp();
+
+ private:
+  struct Noted {
+    const std::uint64_t* addresses;  // of the accesses of a block
+    std::uint32_t entry;             // of the trace
+  };
+  struct Push {  // what a run of blocks adds to a queue
+    std::uint32_t queue, offset;
+  };
+  struct Run {
+    std::vector<Push> pushes;
+    std::uint32_t n_addresses = 0;
+  };
+  // The lane's next access of a stream; null if there is none.
+  const Noted* next(std::uint32_t stream, std::uint32_t lane) const {
+    const std::vector<Noted>& queue = queues_[sites_.streams[stream].queue * 32 + lane];
+    const std::uint32_t at = taken_[stream * 32 + lane];
+    return at == queue.size() ? nullptr : &queue[at];
+  }
+  std::uint64_t take_next(std::uint32_t stream, std::uint32_t lane);
+  std::uint64_t take(const MemorySite& site, std::uint32_t lane, std::uint32_t ahead);
+
+  const MemorySites& sites_;
+  RequestCounters& counters_;
+  std::vector<bool> needs_ahead_;           // [blocks of the code]
+  std::vector<Run> runs_;                   // [blocks of the PTX]: of a run from there
+  std::vector<std::vector<Noted>> queues_;  // [queues][32]
+  std::vector<std::uint32_t> taken_;        // [streams][32]: how many of the queue have been
+};
+
+}  // namespace warpgrain::profiler::sass
