@@ -3,6 +3,7 @@
 #include <bit>
 #include <filesystem>
 #include <fmt/format.h>
+#include <regex>
 
 #include "analysis/embedded_machines.hpp"
 #include "core/error.hpp"
@@ -40,6 +41,13 @@ std::string_view name_of(const EmbeddedMachine& machine) {
   return machine.path.substr(0, machine.path.size() - extension.size());
 }
 
+std::string arch_from(const JsonReader& place) {
+  std::string arch = place.string();
+  if (!std::regex_match(arch, std::regex("sm_[0-9]+a?")))
+    place.fail(fmt::format("'{}'", arch), "an architecture as NVIDIA's compilers call it: sm_90");
+  return arch;
+}
+
 }  // namespace
 
 Machine machine_from(const JsonReader& place) {
@@ -47,6 +55,7 @@ Machine machine_from(const JsonReader& place) {
   machine.name = place.at("name").string();
   if (machine.name.empty()) place.at("name").fail("nothing", "the machine's name");
   machine.description = place.at("description").string();
+  if (const auto arch = place.maybe("arch")) machine.arch = arch_from(*arch);
   for (const MachineKey& key : machine_keys) machine.*key.value = value_from(place.at(key.key), key.whole);
   if (const auto cost = place.maybe("cost")) machine.cost = cost_from(*cost);
   const auto width = static_cast<unsigned long long>(machine.warp_width.value);
@@ -60,7 +69,7 @@ Machine parse_machine(std::string_view json_text, std::string_view file) {
   const JsonReader format = document.at("format");
   if (format.string() != machine_format)
     format.fail(fmt::format("'{}'", format.string()), fmt::format("'{}'", machine_format));
-  document.require_keys({"format", "name", "description", "warp_width", "multiprocessors", "lanes",
+  document.require_keys({"format", "name", "description", "arch", "warp_width", "multiprocessors", "lanes",
                          "sfu_lanes", "issue_rate", "clock", "memory_bandwidth", "cost"});
   return machine_from(document);
 }

@@ -17,6 +17,7 @@ class JsonReader;
 struct Machine {
   std::string name;
   std::string description;
+  std::string arch;         // what NVIDIA's compilers call it, "sm_90"; empty: none is known
   MachineValue warp_width;  // threads of a warp
   MachineValue multiprocessors;
   MachineValue lanes;             // results of 32-bit arithmetic a clock, of one multiprocessor

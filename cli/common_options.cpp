@@ -91,8 +91,14 @@ BackendOptions DeviceOptions::backend_options() const {
   return options;
 }
 
+void DeviceOptions::add_keeping_to(CLI::App& command) { add_option(command, "--keep-ptx", keep_ptx); }
+
 BackendOptions DeviceOptions::backend_options(std::string_view backend) const {
-  const BackendOptions options = backend_options();
+  BackendOptions options = backend_options();
+  options.ptx_folder = keep_ptx;
+  if (!keep_ptx.empty() && backend != "opencl")
+    throw_input_error("--keep-ptx", fmt::format("the back end {}", backend),
+                      "--backend opencl, whose driver compiles the kernels");
   if (options.compiler != KernelCompiler::clang && backend != "cuda" && backend != "simt")
     throw_input_error("--compiler", fmt::format("{} on the back end {}", compiler, backend),
                       "--backend cuda or simt, which take PTX");

@@ -67,11 +67,15 @@ struct DeviceOptions {
   unsigned threads = 0;
   std::string kernels;
   std::string compiler = "clang";
+  std::string keep_ptx;  // folder; empty: none
 
   void add_to(CLI::App& command);
+  // Of commands that run on one back end.
+  void add_keeping_to(CLI::App& command);
   // Throws InputError for a compiler that there is not.
   BackendOptions backend_options() const;
-  // For a call that runs on that back end alone, which has to be one that takes PTX where --compiler stands.
+  // For a call that runs on that back end alone, which has to be one that takes PTX where --compiler stands,
+  // and one that makes its own where --keep-ptx does.
   BackendOptions backend_options(std::string_view backend) const;
 };
 

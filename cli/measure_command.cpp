@@ -125,6 +125,7 @@ void add_measure_command(CLI::App& app, Action& chosen) {
   add_option(command, "--benchmark-json", options->benchmark_json);
   options->variant.add_to(command);
   options->device.add_to(command);
+  options->device.add_keeping_to(command);
   options->output.add_to(command);
   command.callback([options, &chosen] { chosen = [options] { return measure(*options); }; });
 }

@@ -40,11 +40,21 @@ std::optional<Machine> SimulatorOptions::load_machine() const {
   return machine.empty() ? std::nullopt : std::optional(warpgrain::load_machine(machine));
 }
 
+// Refuses what is none, whether or not there is a ptxas. A machine older than those whose code can be
+// replayed stands in the way of no profile: its code is not asked for.
+std::string SimulatorOptions::architecture() const {
+  if (!arch.empty()) {
+    profiler::sass::architecture_number(arch);
+    return arch;
+  }
+  const auto of_machine = load_machine();
+  return of_machine && !of_machine->arch.empty() ? of_machine->arch : profiler::WeightOptions{}.arch;
+}
+
 profiler::ProfileOptions SimulatorOptions::profile_options(const DeviceOptions& device,
                                                            Progress& progress) const {
   profiler::ProfileOptions options;
-  profiler::sass::architecture_number(arch);  // refuses what is none, whether or not there is a ptxas
-  options.weights = {weights_from_name(weights), arch};
+  options.weights = {weights_from_name(weights), architecture()};
   options.policy = profiler::merge_policy_from_name(policy, "--policy");
   if (width)
     options.warp_width = *width;

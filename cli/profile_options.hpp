@@ -15,7 +15,8 @@
 namespace warpgrain::cli {
 
 struct SimulatorOptions {
-  std::string weights = "auto", arch = "sm_90";
+  std::string weights = "auto";
+  std::string arch;  // else the machine's, else sm_90
   std::string policy = "loop_postdom";
   std::optional<std::uint32_t> width;  // else the machine's, else 32
   std::vector<std::string> what_if;
@@ -25,6 +26,8 @@ struct SimulatorOptions {
   std::uint64_t max_instructions = profiler::RunLimits{}.max_instructions;
 
   void add_to(CLI::App& command);
+  // What ptxas assembles for. Throws InputError where --arch names none.
+  std::string architecture() const;
   // None when the call names none. Throws InputError for a file that is no machine.
   std::optional<Machine> load_machine() const;
   // Throws InputError for a policy or width that there is not. `progress` must outlive the profile.

@@ -49,7 +49,8 @@ int run(const RunOptions& options) {
   if (const std::string warning = time_step_warning(scene.time_step, limits); !warning.empty())
     std::cerr << "warning: " << warning << '\n';
   if (!options.vtk_folder.empty()) make_folder(options.vtk_folder);
-  const auto simulation = chosen_backend.create(scene, variant, options.device.backend_options(chosen_backend.name));
+  const auto simulation =
+      chosen_backend.create(scene, variant, options.device.backend_options(chosen_backend.name));
 
   reports::RunReport report;
   report.generator = reports::this_generator();
@@ -109,6 +110,7 @@ void add_run_command(CLI::App& app, Action& chosen) {
   add_option(command, "--vtk", options->vtk_folder);
   options->variant.add_to(command);
   options->device.add_to(command);
+  options->device.add_keeping_to(command);
   options->output.add_to(command);
   command.callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }

@@ -30,6 +30,7 @@ Json array_of(const std::vector<T>& values, const Options&... options) {
 
 Json machine_json(const Machine& machine) {
   Json json{{"name", machine.name}, {"description", machine.description}};
+  if (!machine.arch.empty()) json["arch"] = machine.arch;
   for (const MachineKey& key : machine_keys) {
     const MachineValue& value = machine.*key.value;
     json[std::string(key.key)] = {{"value", value.value}, {"source", value.source}};

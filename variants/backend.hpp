@@ -48,6 +48,9 @@ struct BackendOptions {
       kernel_folder;  // files there (below it as below kernels/) shadow the kernels of the build; empty: none
   // Who makes PTX of the kernels: on cuda and simt.
   KernelCompiler compiler = KernelCompiler::clang;
+  // opencl: folder for the PTX of each program, made where it is missing; empty: none. A device that makes no
+  // PTX is an error then. No other back end takes one.
+  std::string ptx_folder;
   // Whether timings() has anything to say. On cuda that costs a little for each launch, and `undisturbed`
   // more: the device waits until a step's launches are queued, so that none is timed while it waits for the
   // host.

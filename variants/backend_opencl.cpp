@@ -17,8 +17,8 @@ std::unique_ptr<Simulation> create(const Scene& scene, const Variant& variant,
   std::vector<std::string> extensions;
   if (precision_of(variant).is_fp64) extensions.emplace_back("cl_khr_fp64");
   if (search_of(variant).needs_long_atomics) extensions.emplace_back("cl_khr_int64_base_atomics");
-  return std::make_unique<DeviceSimulation>(scene, variant, options,
-                                            open_opencl_device(options.device, extensions));
+  return std::make_unique<DeviceSimulation>(
+      scene, variant, options, open_opencl_device(options.device, extensions, options.ptx_folder));
 }
 
 }  // namespace

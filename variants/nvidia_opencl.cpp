@@ -8,9 +8,11 @@
 #include <CL/opencl.hpp>
 #pragma GCC diagnostic pop
 #include <fmt/format.h>
+#include <optional>
 #include <vector>
 
 #include "core/error.hpp"
+#include "variants/opencl_ptx.hpp"
 
 namespace warpgrain {
 namespace {
@@ -49,11 +51,10 @@ NvidiaPtx nvidia_opencl_ptx(std::string_view source, const std::string& build_op
                                  program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device)));
   }
   const auto binary = program.getInfo<CL_PROGRAM_BINARIES>().at(0);
-  std::string ptx(binary.begin(), binary.end());
-  ptx = ptx.substr(0, ptx.find('\0'));
-  if (ptx.find(".version") == std::string::npos)
-    throw_input_error(where, "a program binary that is no text", "PTX");
-  return {std::move(ptx), fmt::format("NVIDIA's OpenCL, driver {}", device.getInfo<CL_DRIVER_VERSION>())};
+  std::optional<std::string> ptx =
+      ptx_of_binary({reinterpret_cast<const char*>(binary.data()), binary.size()});
+  if (!ptx) throw_input_error(where, "a program binary that is no text", "PTX");
+  return {std::move(*ptx), fmt::format("NVIDIA's OpenCL, driver {}", device.getInfo<CL_DRIVER_VERSION>())};
 }
 
 }  // namespace warpgrain

@@ -9,11 +9,15 @@
 #pragma GCC diagnostic pop
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <fmt/format.h>
+#include <fstream>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "core/error.hpp"
+#include "variants/opencl_ptx.hpp"
 
 namespace warpgrain {
 namespace {
@@ -70,8 +74,9 @@ FoundDevice choose_device(const std::string& substring) {
 
 class OpenclDevice : public ComputeDevice {
  public:
-  explicit OpenclDevice(const FoundDevice& found)
+  OpenclDevice(const FoundDevice& found, std::filesystem::path ptx_folder)
       : name_(found.name),
+        ptx_folder_(std::move(ptx_folder)),
         device_(found.device),
         context_(found.device),
         queue_(context_, found.device, CL_QUEUE_PROFILING_ENABLE) {}
@@ -86,6 +91,7 @@ class OpenclDevice : public ComputeDevice {
         while (!log.empty() && (log.back() == '\n' || log.back() == '\0')) log.pop_back();
         throw_input_error("kernels", fmt::format("do not compile for {}\n{}", name_, log));
       }
+      if (!ptx_folder_.empty()) guarded([&] { keep_ptx(program); });
       units_.push_back({program, {}});
     }
   }
@@ -156,6 +162,21 @@ class OpenclDevice : public ComputeDevice {
     }
   }
 
+  void keep_ptx(const cl::Program& program) const {
+    const std::vector<std::vector<unsigned char>> binaries = program.getInfo<CL_PROGRAM_BINARIES>();
+    std::optional<std::string> ptx;
+    if (!binaries.empty())
+      ptx = ptx_of_binary({reinterpret_cast<const char*>(binaries[0].data()), binaries[0].size()});
+    if (!ptx)
+      throw_input_error("--keep-ptx", fmt::format("{} makes no PTX", name_),
+                        "a device whose OpenCL compiler does, as NVIDIA's");
+    const std::string kernels = program.getInfo<CL_PROGRAM_KERNEL_NAMES>();
+    std::filesystem::create_directories(ptx_folder_);
+    const std::filesystem::path file = ptx_folder_ / (kernels.substr(0, kernels.find(';')) + ".ptx");
+    if (!(std::ofstream(file, std::ios::binary) << *ptx))
+      throw_input_error(file.string(), "cannot be written", "a folder to write to");
+  }
+
   BuiltKernel& kernel(const KernelLaunch& launch) {
     Unit& unit = units_[launch.unit];
     const auto it = unit.kernels.find(launch.kernel);
@@ -170,6 +191,7 @@ class OpenclDevice : public ComputeDevice {
   }
 
   std::string name_;
+  std::filesystem::path ptx_folder_;  // empty: PTX is not kept
   cl::Device device_;
   cl::Context context_;
   cl::CommandQueue queue_;
@@ -184,14 +206,15 @@ class OpenclDevice : public ComputeDevice {
 std::size_t count_opencl_devices() { return find_devices().size(); }
 
 std::unique_ptr<ComputeDevice> open_opencl_device(const std::string& substring,
-                                                  const std::vector<std::string>& extensions) {
+                                                  const std::vector<std::string>& extensions,
+                                                  const std::string& ptx_folder) {
   const FoundDevice found = choose_device(substring);
   const std::string there = found.device.getInfo<CL_DEVICE_EXTENSIONS>();
   for (const std::string& extension : extensions)
     if (there.find(extension) == std::string::npos)
       throw_input_error("--device", fmt::format("{} has no {}", found.name, extension),
                         "a variant that does without, or another device");
-  return std::make_unique<OpenclDevice>(found);
+  return std::make_unique<OpenclDevice>(found, ptx_folder);
 }
 
 }  // namespace warpgrain

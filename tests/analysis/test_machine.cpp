@@ -32,6 +32,8 @@ TEST(Machine, PublishedPeaksFollowFromTheNumbers) {
     const Machine m = load_machine(name);
     return m.multiprocessors.value * m.lanes.value * 2 * m.clock.value / 1e12;
   };
+  EXPECT_EQ(load_machine("hopper_h100").arch, "sm_90");
+  EXPECT_EQ(load_machine("fermi_c2050").arch, "") << "ptxas no longer knows it";
   EXPECT_NEAR(peak("fermi_c2050"), 1.03, 0.005);
   EXPECT_NEAR(peak("turing_t4"), 8.1, 0.05);
   EXPECT_NEAR(peak("ampere_a100"), 19.5, 0.05);
@@ -67,6 +69,9 @@ TEST(Machine, RefusesWhatIsNone) {
               HasSubstr("memory_bandwidth.source: nothing; expected the document"));
   EXPECT_THAT(refusal("1e9,", "\"fast\","), HasSubstr("m.json: clock.value: "));
   EXPECT_THAT(refusal("{ \"format\"", "{ \"watts\": 3, \"format\""), HasSubstr("watts"));
+  EXPECT_EQ(refusal("\"description\": \"\"", "\"description\": \"\", \"arch\": \"sm_90a\""), "no error");
+  EXPECT_THAT(refusal("\"description\": \"\"", "\"description\": \"\", \"arch\": \"hopper\""),
+              HasSubstr("m.json: arch: 'hopper'; expected"));
 }
 
 TEST(Machine, CostConstantsAreAllThereOrNone) {

@@ -28,5 +28,15 @@ TEST(OpenclDevice, IsFoundByPartOfItsName) {
   EXPECT_THAT(message, HasSubstr(name));
 }
 
+TEST(OpenclDevice, ThatMakesNoPtxSaysSo) {
+  const auto device = open_opencl_device("portable computing language", {}, "never_made");
+  const std::string message = message_of([&] {
+    device->build(std::vector<SourceUnit>{{"kernel void k(global int* a) { a[0] = 1; }", ""}});
+  });
+  EXPECT_THAT(message, HasSubstr("--keep-ptx: "));
+  EXPECT_THAT(message, HasSubstr(" makes no PTX; expected a device whose OpenCL compiler does"));
+  EXPECT_FALSE(std::filesystem::exists("never_made"));
+}
+
 }  // namespace
 }  // namespace warpgrain
