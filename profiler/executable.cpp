@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "profiler/control_flow.hpp"
+#include "profiler/division_path.hpp"
 #include "profiler/jit.hpp"
 #include "profiler/kernel_name.hpp"
 #include "profiler/launch_check.hpp"
@@ -130,6 +131,7 @@ class NativeExecutable final : public Executable {
       for (const std::uint32_t block : loop.blocks) {
         cost += static_cast<std::uint32_t>(graph.blocks[block].instructions.size());
         for (const MemoryAccess& access : graph.blocks[block].accesses) {
+          if (is_path(access)) continue;
           stores |= access.access == InstructionClass::global_store ||
                     access.access == InstructionClass::shared_store ||
                     access.access == InstructionClass::generic_store;

@@ -40,7 +40,7 @@ void WarpCounters::add(const WarpCounters& other) {
 }
 
 void count_request(MemoryCounters& counters, std::span<const std::uint64_t> addresses, std::uint32_t bytes) {
-  if (addresses.empty()) return;
+  if (addresses.empty() || bytes == 0) return;  // a recorded path is no access
   const RequestFootprint footprint =
       addresses.size() == 1 ? access_footprint(addresses[0], bytes) : request_footprint(addresses, bytes);
   ++counters.requests;

@@ -2,8 +2,10 @@
 
 #include <string>
 
+#include "profiler/division_path.hpp"
 #include "profiler/ptx/float_extremum.hpp"
 #include "profiler/ptx/float_operation.hpp"
+#include "profiler/ptx/instruction_facts.hpp"
 #include "profiler/ptx/instructions.hpp"
 
 namespace warpgrain::profiler::ptx {
@@ -179,6 +181,43 @@ void emit_integer_division(Emitter& e, ScalarType type, bool remainder) {
   e.write(e.ir.CreateSelect(is_zero, remainder ? a : llvm::ConstantInt::getAllOnesValue(t), result), type);
 }
 
+// The DivisionPath of a / b = q, from the upper words as the machine code sees them.
+Value* division_path(Emitter& e, Value* a, Value* b, Value* q) {
+  const auto upper = [&](Value* x) {
+    return e.ir.CreateAnd(e.ir.CreateLShr(e.ir.CreateBitCast(x, e.ir.getInt64Ty()), 32), 0x7FFFFFFF);
+  };
+  const auto number = [&](std::uint64_t n) { return e.ir.getInt64(n); };
+  const auto path = [&](DivisionPath p) { return number(static_cast<std::uint64_t>(p)); };
+  Value *const upper_a = upper(a), *const upper_b = upper(b), *const upper_q = upper(q);
+  constexpr std::uint64_t infinity = 0x7FF00000;
+  const auto is_zero = [&](Value* x) {
+    return e.ir.CreateFCmpOEQ(x, llvm::ConstantFP::get(x->getType(), 0.0));
+  };
+  const auto is_nan = [&](Value* x) { return e.ir.CreateFCmpUNO(x, x); };
+  const auto has_no_end = [&](Value* upper_word) { return e.ir.CreateICmpUGE(upper_word, number(infinity)); };
+  // FSETP.GEU |a|, 6.58e-37; FSETP.GT |0 * b + q|, 1.47e-39, of the upper words taken as floats; and
+  // MUFU.RCP64H of a denormal b is infinite.
+  Value* in_line = e.ir.CreateICmpUGE(upper_a, number(0x03600000));
+  in_line = e.ir.CreateAnd(in_line, e.ir.CreateICmpUGE(upper_b, number(0x00100000)));
+  in_line = e.ir.CreateAnd(in_line, e.ir.CreateICmpULT(upper_b, number(0x7F800000)));
+  in_line = e.ir.CreateAnd(in_line, e.ir.CreateICmpUGT(upper_q, number(0x00100000)));
+  in_line = e.ir.CreateAnd(in_line, e.ir.CreateICmpULE(upper_q, number(0x7F800000)));
+  Value* const rest = e.call_intrinsic(llvm::Intrinsic::fma, a->getType(), {e.ir.CreateFNeg(q), b, a});
+  Value* result =
+      e.ir.CreateSelect(is_zero(rest), path(DivisionPath::denormal_exact), path(DivisionPath::denormal));
+  result =
+      e.ir.CreateSelect(e.ir.CreateICmpUGT(upper_q, number(0x00100000)), path(DivisionPath::scaled), result);
+  Value* const zero_or_infinite = e.ir.CreateOr(e.ir.CreateOr(is_zero(a), is_zero(b)),
+                                                e.ir.CreateOr(has_no_end(upper_a), has_no_end(upper_b)));
+  result = e.ir.CreateSelect(zero_or_infinite, path(DivisionPath::zero_or_infinite), result);
+  Value* const undefined = e.ir.CreateOr(e.ir.CreateAnd(is_zero(a), is_zero(b)),
+                                         e.ir.CreateAnd(has_no_end(upper_a), has_no_end(upper_b)));
+  result = e.ir.CreateSelect(undefined, path(DivisionPath::undefined), result);
+  result = e.ir.CreateSelect(is_nan(b), path(DivisionPath::nan_divisor), result);
+  result = e.ir.CreateSelect(is_nan(a), path(DivisionPath::nan_dividend), result);
+  return e.ir.CreateSelect(in_line, path(DivisionPath::in_line), result);
+}
+
 void emit_div(Emitter& e) {
   FloatOperation modes(e, FloatOperation::Rounding::any);
   // .approx and .full allow an error of 2 ulp; evaluated exactly, as PoCL evaluates them.
@@ -187,7 +226,11 @@ void emit_div(Emitter& e) {
   if (type.is_float()) {
     Value* a = modes.input(1, type);
     Value* b = modes.input(2, type);
-    return modes.output(modes.rounded("div", {a, b}, e.ir.CreateFDiv(a, b)), type);
+    Value* quotient = modes.rounded("div", {a, b}, e.ir.CreateFDiv(a, b));
+    // In the place of an address.
+    if (instruction_facts(e.statement()).records_path)
+      e.trace_access(e.ir.CreateIntToPtr(division_path(e, a, b, quotient), e.ir.getPtrTy()));
+    return modes.output(quotient, type);
   }
   emit_integer_division(e, type, false);
 }

@@ -34,6 +34,9 @@ KernelGraph build_graph(const Module& module, const Function& kernel, std::span<
       if (facts.accessed_bytes > 0)
         basic_block.accesses.push_back({static_cast<std::uint32_t>(basic_block.instructions.size()),
                                         facts.instruction_class, facts.accessed_bytes});
+      if (facts.records_path)
+        basic_block.accesses.push_back({static_cast<std::uint32_t>(basic_block.instructions.size()),
+                                        facts.instruction_class, 0});  // see is_path
       if (facts.instruction_class == InstructionClass::barrier) graph.has_barrier = true;
       if (facts.instruction_class == InstructionClass::warp_level) graph.has_warp_level = true;
       basic_block.instructions.push_back({facts.instruction_class, facts.sfu_operations,

@@ -74,7 +74,9 @@ InstructionFacts division_facts(const Statement& s) {
   const ScalarType type = last_type(s);
   // A float division is a reciprocal and multiplications; an integer division converts there and back around
   // one.
-  return {class_of_type(type), static_cast<std::uint8_t>(type.is_float() ? 1 : 3)};
+  InstructionFacts facts{class_of_type(type), static_cast<std::uint8_t>(type.is_float() ? 1 : 3)};
+  facts.records_path = type.is_float() && type.bits == 64 && s.opcode == "div" && has(s, "rn");
+  return facts;
 }
 
 const std::unordered_map<std::string_view, InstructionFacts>& fixed_facts() {

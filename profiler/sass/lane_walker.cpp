@@ -1,6 +1,7 @@
 #include "profiler/sass/lane_walker.hpp"
 
 #include "profiler/control_flow.hpp"
+#include "profiler/sass/division_routine.hpp"
 #include "profiler/sass/reached_blocks.hpp"
 
 namespace warpgrain::profiler::sass {
@@ -10,7 +11,8 @@ LaneWalker::LaneWalker(const ReplayPlan& plan, const PtxDecisions& decisions, Re
       counters_(counters),
       has_guard_(decisions.count(), false),
       follows_(decisions.count(), false),
-      trips_left_(plan.loops.size()) {
+      trips_left_(plan.loops.size()),
+      paths_(decisions) {
   const KernelGraph& graph = decisions.graph();
   for (std::uint32_t b = 0; b < graph.blocks.size(); ++b) {
     std::uint32_t end = no_block;
@@ -24,8 +26,10 @@ LaneWalker::LaneWalker(const ReplayPlan& plan, const PtxDecisions& decisions, Re
   for (const Node& node : plan.nodes)
     if (node.decision != no_decision && node.rule != Rule::fast_path && node.rule != Rule::unknown)
       has_guard_[node.decision] = true;
-  for (const Node& node : plan.nodes)
+  for (const Node& node : plan.nodes) {
     if (node.rule == Rule::decision) follows_[node.decision] = true;
+    record_of_.push_back(node.rule == Rule::path ? paths_.record_of(node.line) : no_record);
+  }
   note_folded(decisions);
 }
 
@@ -60,8 +64,10 @@ std::uint32_t LaneWalker::index_of(const Node& node) const {
   return static_cast<std::uint32_t>(&node - plan_.nodes.data());
 }
 
-void LaneWalker::walk(const BlockIndex* trace, Choices& choices) {
+void LaneWalker::walk(const LaneTrace& lane, Choices& choices) {
+  const BlockIndex* const trace = lane.blocks;
   begin_ = trace_ = trace;
+  paths_.read(lane);
   returns_.clear();
   fits_ = true;
   pass(plan_.entry);
@@ -92,6 +98,16 @@ void LaneWalker::walk(const BlockIndex* trace, Choices& choices) {
       case Rule::fast_path:
         ++counters_.fast_paths;
         taken = node.takes_fast_path;
+        break;
+      case Rule::path:
+        path_ = paths_.next(record_of_[way->node]);
+        if (lane.addresses == nullptr) ++counters_.fast_paths;
+        taken = (path_ == DivisionPath::in_line) == node.takes_fast_path;
+        choose(taken ? 1 : 0, choices);
+        break;
+      case Rule::routine:
+        taken = takes_division_guard(node.guard, path_);
+        choose(taken ? 1 : 0, choices);
         break;
       case Rule::together:
         break;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "profiler/sass/recorded_paths.hpp"
 #include "profiler/sass/replay_counters.hpp"
 #include "profiler/sass/replay_plan.hpp"
 #include "profiler/trace.hpp"
@@ -25,7 +26,7 @@ class LaneWalker {
   LaneWalker(const ReplayPlan& plan, const PtxDecisions& decisions, ReplayCounters& counters);
 
   // Appends the choices of the lane with that trace.
-  void walk(const BlockIndex* trace, Choices& choices);
+  void walk(const LaneTrace& lane, Choices& choices);
 
  private:
   struct Run {                             // what an entry of the trace stands for
@@ -56,6 +57,9 @@ class LaneWalker {
   std::vector<std::int64_t> trips_left_;  // [loops]
   std::vector<std::uint32_t> returns_;    // nodes of calls that have not come back
   bool fits_ = true;
+  RecordedPaths paths_;
+  std::vector<std::uint32_t> record_of_;       // [nodes], no_record for all but those of paths
+  DivisionPath path_ = DivisionPath::in_line;  // of the division that the lane is at
 };
 
 }  // namespace warpgrain::profiler::sass

@@ -5,27 +5,29 @@
 #include <unordered_map>
 #include <utility>
 
+#include "profiler/division_path.hpp"
+
 namespace warpgrain::profiler::sass {
 namespace {
 
 // Loads, stores and atomic operations are matched each with their kind, in whatever space: an address that
 // the assembler knows to be global needs no generic load.
-enum class Kind : std::uint8_t { none, load, store, atomic };
+enum class AccessKindOfSite : std::uint8_t { none, load, store, atomic };
 
-Kind kind_of(InstructionClass c) {
+AccessKindOfSite kind_of_access(InstructionClass c) {
   switch (c) {
     case InstructionClass::global_load:
     case InstructionClass::generic_load:
     case InstructionClass::shared_load:
-      return Kind::load;
+      return AccessKindOfSite::load;
     case InstructionClass::global_store:
     case InstructionClass::generic_store:
     case InstructionClass::shared_store:
-      return Kind::store;
+      return AccessKindOfSite::store;
     case InstructionClass::atomic:
-      return Kind::atomic;
+      return AccessKindOfSite::atomic;
     default:
-      return Kind::none;
+      return AccessKindOfSite::none;
   }
 }
 
@@ -35,7 +37,7 @@ void give_queues(MemorySites& sites) {
   std::vector<Places> places(sites.streams.size());
   for (std::uint32_t b = 0; b < sites.of_access.size(); ++b)
     for (std::uint32_t k = 0; k < sites.of_access[b].size(); ++k)
-      places[sites.of_access[b][k]].emplace_back(b, k);
+      if (sites.of_access[b][k] != no_stream) places[sites.of_access[b][k]].emplace_back(b, k);
   std::map<Places, std::uint32_t> queue_of;  // by the places without the first one's access
   sites.queues_of.resize(sites.of_access.size());
   for (std::uint32_t s = 0; s < sites.streams.size(); ++s) {
@@ -62,6 +64,10 @@ MemorySites find_memory_sites(const CodeGraph& code, const PtxDecisions& decisio
   for (const BasicBlock& block : decisions.graph().blocks) {
     std::vector<std::uint32_t>& streams = sites.of_access.emplace_back();
     for (const MemoryAccess& access : block.accesses) {
+      if (is_path(access)) {
+        streams.push_back(no_stream);
+        continue;
+      }
       const profiler::Instruction& instruction = block.instructions[access.instruction];
       const auto [found, is_new] =
           by_line.try_emplace(instruction.ptx_line, static_cast<std::uint32_t>(sites.streams.size()));
@@ -78,8 +84,8 @@ MemorySites find_memory_sites(const CodeGraph& code, const PtxDecisions& decisio
       const auto found = by_line.find(instruction.line);
       if (found == by_line.end()) continue;
       AccessStream& stream = sites.streams[found->second];
-      const Kind kind = kind_of(instruction.instruction_class);
-      if (kind == Kind::none || kind != kind_of(stream.access)) continue;
+      const AccessKindOfSite kind = kind_of_access(instruction.instruction_class);
+      if (kind == AccessKindOfSite::none || kind != kind_of_access(stream.access)) continue;
       stream.has_site = true;
       const bool guarded = instruction.guard != always && !stream.predicated;
       of_block.push_back({found->second, guarded});

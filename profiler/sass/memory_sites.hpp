@@ -33,8 +33,9 @@ struct MemorySite {
 
 struct MemorySites {
   std::vector<AccessStream> streams;
-  std::vector<std::vector<MemorySite>> of_block;      // [blocks of the code], in order
-  std::vector<std::vector<std::uint32_t>> of_access;  // [blocks of the PTX][accesses]: their stream
+  std::vector<std::vector<MemorySite>> of_block;  // [blocks of the code], in order
+  std::vector<std::vector<std::uint32_t>>
+      of_access;  // [blocks of the PTX][accesses]: their stream or no_stream
   std::uint32_t n_queues = 0;
   struct QueueEntry {
     std::uint32_t queue = 0, first = 0;  // the access whose address it begins with

@@ -33,9 +33,10 @@ Expansion expansion_of(std::string_view ptx) {
   return Expansion::none;
 }
 
-class Counter {
+class PredicatedLaneCounter {
  public:
-  Counter(const MachineKernel& kernel, const ReplayCounters& counters, const WarpCounters& of_ptx)
+  PredicatedLaneCounter(const MachineKernel& kernel, const ReplayCounters& counters,
+                        const WarpCounters& of_ptx)
       : kernel_(kernel), of_ptx_(of_ptx), rules_(find_predicates(kernel.code)) {
     for (std::uint32_t b = 0; b < kernel.code.blocks.size(); ++b) {
       lanes_.push_back(sum_of_lanes(counters.executions(b)));
@@ -137,7 +138,7 @@ class Counter {
 
 PredicatedLanes count_predicated(const MachineKernel& kernel, const ReplayCounters& counters,
                                  const WarpCounters& of_ptx) {
-  return Counter(kernel, counters, of_ptx).count();
+  return PredicatedLaneCounter(kernel, counters, of_ptx).count();
 }
 
 }  // namespace warpgrain::profiler::sass

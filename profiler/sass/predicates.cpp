@@ -6,17 +6,17 @@ namespace warpgrain::profiler::sass {
 namespace {
 
 enum class Value : std::uint8_t { unreached, no, yes, unknown };
-using Values = std::array<Value, 8>;  // by predicate
+using PredicateValues = std::array<Value, 8>;  // by predicate
 
-Values nothing_known() {
-  Values values;
+PredicateValues no_predicate_known() {
+  PredicateValues values;
   values.fill(Value::unknown);
   values[always] = Value::yes;
   return values;
 }
 
 // Lanes of both come on. Whether that changes anything.
-bool join(Values& values, const Values& others) {
+bool join_predicates(PredicateValues& values, const PredicateValues& others) {
   bool changed = false;
   for (std::size_t p = 0; p < values.size(); ++p) {
     if (values[p] == others[p] || values[p] == Value::unknown || others[p] == Value::unreached) continue;
@@ -26,7 +26,7 @@ bool join(Values& values, const Values& others) {
   return changed;
 }
 
-void write(const Instruction& i, Values& values) {
+void write_predicates(const Instruction& i, PredicateValues& values) {
   for (std::size_t p = 0; p < always; ++p) {
     if ((i.predicates_written >> p & 1U) == 0) continue;
     const bool known = i.constant_predicate >= 0 && i.guard == always && !i.guard_negated;
@@ -50,51 +50,52 @@ std::uint8_t asked(const Instruction& i) {
 
 bool asks_negated(const Instruction& i) { return i.guard == always ? i.condition_negated : i.guard_negated; }
 
-class Finder {
+class PredicateFinder {
  public:
-  explicit Finder(const CodeGraph& code) : code_(code), at_(code.blocks.size()) {
-    for (Values& values : at_) values.fill(Value::unreached);
+  explicit PredicateFinder(const CodeGraph& code) : code_(code), at_(code.blocks.size()) {
+    for (PredicateValues& values : at_) values.fill(Value::unreached);
   }
 
   std::vector<PredicateRule> find() {
     flow();
     std::vector<PredicateRule> rules(code_.instructions.size(), PredicateRule::unknown);
     for (std::uint32_t b = 0; b < code_.blocks.size(); ++b) {
-      Values values = at_[b];
+      PredicateValues values = at_[b];
       for (std::uint32_t k = code_.blocks[b].first; k < code_.blocks[b].last; ++k) {
         rules[k] = rule_of(code_.blocks[b], k, values);
-        write(code_.instructions[k], values);
+        write_predicates(code_.instructions[k], values);
       }
     }
     return rules;
   }
 
  private:
-  void come(std::uint32_t block, const Values& values) {
+  void come(std::uint32_t block, const PredicateValues& values) {
     if (block == no_code) return;
-    if (join(at_[block], values)) open_.push_back(block);
+    if (join_predicates(at_[block], values)) open_.push_back(block);
   }
 
   void flow() {
-    come(0, nothing_known());
+    come(0, no_predicate_known());
     while (!open_.empty()) {
       const std::uint32_t b = open_.back();
       open_.pop_back();
       const CodeBlock& block = code_.blocks[b];
-      Values values = at_[b];
-      for (std::uint32_t k = block.first; k < block.last; ++k) write(code_.instructions[k], values);
+      PredicateValues values = at_[b];
+      for (std::uint32_t k = block.first; k < block.last; ++k)
+        write_predicates(code_.instructions[k], values);
       leave(block, values);
     }
   }
 
-  void leave(const CodeBlock& block, const Values& values) {
+  void leave(const CodeBlock& block, const PredicateValues& values) {
     switch (block.end) {
       case End::exit:
       case End::ret:
         return;
       case End::call:
-        come(block.target, nothing_known());
-        come(block.next, nothing_known());
+        come(block.target, no_predicate_known());
+        come(block.next, no_predicate_known());
         return;
       case End::indirect:
         for (const std::uint32_t to : block.table) come(to, values);
@@ -103,8 +104,8 @@ class Finder {
         const Instruction& guard = code_.last_of(block);
         const bool calls = block.guarded == Flow::call;
         if (block.guarded == Flow::branch) come(block.target, behind(guard, values, true));
-        if (calls) come(block.target, nothing_known());
-        come(block.next, calls ? nothing_known() : behind(guard, values, false));
+        if (calls) come(block.target, no_predicate_known());
+        come(block.next, calls ? no_predicate_known() : behind(guard, values, false));
         return;
       }
       default:
@@ -112,13 +113,13 @@ class Finder {
     }
   }
 
-  static Values behind(const Instruction& guard, Values values, bool taken) {
+  static PredicateValues behind(const Instruction& guard, PredicateValues values, bool taken) {
     const std::uint8_t predicate = asked(guard);
     if (predicate != always) values[predicate] = taken != asks_negated(guard) ? Value::yes : Value::no;
     return values;
   }
 
-  PredicateRule rule_of(const CodeBlock& block, std::uint32_t k, const Values& values) const {
+  PredicateRule rule_of(const CodeBlock& block, std::uint32_t k, const PredicateValues& values) const {
     const Instruction& i = code_.instructions[k];
     if (i.guard == always) return i.guard_negated ? PredicateRule::off : PredicateRule::on;
     if (!has_plain_guard(i)) return PredicateRule::unknown;
@@ -134,12 +135,12 @@ class Finder {
   }
 
   const CodeGraph& code_;
-  std::vector<Values> at_;  // [blocks of the code]: where it begins
+  std::vector<PredicateValues> at_;  // [blocks of the code]: where it begins
   std::vector<std::uint32_t> open_;
 };
 
 }  // namespace
 
-std::vector<PredicateRule> find_predicates(const CodeGraph& code) { return Finder(code).find(); }
+std::vector<PredicateRule> find_predicates(const CodeGraph& code) { return PredicateFinder(code).find(); }
 
 }  // namespace warpgrain::profiler::sass

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "profiler/control_flow.hpp"
+#include "profiler/sass/division_routine.hpp"
 
 namespace warpgrain::profiler::sass {
 namespace {
@@ -16,6 +17,7 @@ class Planner {
       : code_(code), decisions_(decisions), links_(link_guards(code, decisions)) {
     plan_.loops = find_trip_loops(code, decisions, links_);
     plan_.memory = find_memory_sites(code, decisions);
+    find_divisions();
   }
 
   ReplayPlan plan() {
@@ -36,6 +38,33 @@ class Planner {
   }
 
  private:
+  // Whether the instruction at a line of the PTX records its path.
+  bool records_path(std::uint32_t line) const {
+    for (const PtxPlace& place : decisions_.places(line))
+      for (const MemoryAccess& access : decisions_.graph().blocks[place.block].accesses)
+        if (is_path(access) && access.instruction == place.instruction) return true;
+    return false;
+  }
+
+  // Guards of divisions, and those of the routines that they call.
+  void find_divisions() {
+    routine_guard_.assign(code_.blocks.size(), division_guards);
+    is_division_.assign(code_.blocks.size(), false);
+    for (std::uint32_t b = 0; b < code_.blocks.size(); ++b) {
+      const CodeBlock& block = code_.blocks[b];
+      if (block.end != End::guard || block.guarded != Flow::branch ||
+          links_[b].kind != GuardLink::Kind::fast_path || !records_path(code_.last_of(block).line))
+        continue;
+      std::uint32_t call = links_[b].fast_path_taken ? block.next : block.target;
+      while (code_.blocks[call].end == End::next) call = code_.blocks[call].next;
+      if (code_.blocks[call].end != End::call) continue;
+      const auto guards = find_division_guards(code_, code_.blocks[call].target);
+      if (!guards) continue;
+      is_division_[b] = true;
+      for (std::size_t g = 0; g < guards->size(); ++g) routine_guard_[(*guards)[g]] = g;
+    }
+  }
+
   Node node_at(std::uint32_t b) const {
     const CodeBlock& block = code_.blocks[b];
     Node node;
@@ -49,7 +78,7 @@ class Planner {
         return node;
       case End::indirect:
         node.rule = Rule::indirect;
-        node.decision = links_[b].decision;
+        node.cause = node.decision = links_[b].decision;
         return node;
       case End::guard:
         break;
@@ -59,7 +88,15 @@ class Planner {
     const GuardLink& link = links_[b];
     node.decision = link.decision;
     node.taken_way = link.taken_way;
+    node.cause = link.decision;
     node.takes_fast_path = link.fast_path_taken;
+    if (is_division_[b] || routine_guard_[b] != division_guards) {
+      node.rule = is_division_[b] ? Rule::path : Rule::routine;
+      node.decision = no_decision;
+      node.line = code_.last_of(block).line;
+      node.guard = routine_guard_[b];
+      return node;
+    }
     for (std::uint32_t l = 0; l < plan_.loops.size(); ++l)
       if (link.kind != GuardLink::Kind::fast_path && link.decision == plan_.loops[l].decision &&
           plan_.loops[l].region[b]) {
@@ -234,6 +271,8 @@ class Planner {
   const CodeGraph& code_;
   const PtxDecisions& decisions_;
   std::vector<GuardLink> links_;
+  std::vector<bool> is_division_;           // [blocks of the code]: ends in a guard that asks for its path
+  std::vector<std::size_t> routine_guard_;  // [blocks of the code]: division_guards for none of a routine
   ReplayPlan plan_;
 };
 

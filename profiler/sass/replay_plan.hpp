@@ -16,6 +16,8 @@ enum class Rule : std::uint8_t {
   decision,   // what the next decision of that number in the trace was
   trips,      // how many trips of an unrolled loop are left
   fast_path,  // the routine for rare operands is not called
+  path,       // whether it is, of a division whose path the trace holds
+  routine,    // a guard in the routine of such a division
   together,   // the warp's lanes have not parted
   indirect,   // which way of the table the trace goes next
   unknown,    // cannot be derived: lanes do not take it, and are counted
@@ -51,7 +53,10 @@ struct Node {
   std::uint32_t decision = no_decision;
   std::uint32_t taken_way = 0;
   bool takes_fast_path = false;
-  std::uint32_t loop = 0;  // of trips
+  std::uint32_t line = 0;             // of the PTX, of a path
+  std::size_t guard = 0;              // of a routine: which of its guards
+  std::uint32_t cause = no_decision;  // that lanes are lost to which this node parts
+  std::uint32_t loop = 0;             // of trips
   TripSide taken_side, next_side;
   Way taken, next;                      // of a call: to the routine, and back
   std::vector<Way> table;               // of an indirect branch, [CodeBlock::table]

@@ -95,6 +95,7 @@ WarpCounters with_replayed_requests(const MachineKernel& kernel, const RequestCo
   for (std::uint32_t b = 0; b < memory.of_access.size(); ++b)
     for (std::uint32_t k = 0; k < memory.of_access[b].size(); ++k) {
       const std::uint32_t s = memory.of_access[b][k];
+      if (s == no_stream) continue;
       if (!follows(s)) {
         weights.requests_of_ptx += placed[s] ? 0 : 1;
       } else {

@@ -36,9 +36,14 @@ RequestCounter::RequestCounter(const MemorySites& sites, const PtxDecisions& dec
     }));
 }
 
-void RequestCounter::begin_warp() {
+void RequestCounter::begin_warp(std::span<const LaneTrace> lanes) {
+  has_addresses_ =
+      std::ranges::any_of(lanes, [](const LaneTrace& lane) { return lane.addresses != nullptr; });
+  if (!has_addresses_) return;
   for (std::vector<Noted>& queue : queues_) queue.clear();
   std::ranges::fill(taken_, 0U);
+  for (std::uint32_t lane = 0; lane < lanes.size(); ++lane)
+    if (lanes[lane].blocks != nullptr) add_lane(lane, lanes[lane]);
 }
 
 void RequestCounter::add_lane(std::uint32_t lane, const LaneTrace& trace) {
@@ -81,6 +86,7 @@ std::uint64_t RequestCounter::take(const MemorySite& site, std::uint32_t lane, s
 
 void RequestCounter::count(std::uint32_t block, std::uint32_t lanes,
                            const std::array<std::uint32_t, 32>& ahead) {
+  if (!has_addresses_) return;
   for (const MemorySite& site : sites_.of_block[block]) {
     std::array<std::uint64_t, 32> addresses;
     std::size_t n = 0;
@@ -96,6 +102,7 @@ void RequestCounter::count(std::uint32_t block, std::uint32_t lanes,
 }
 
 void RequestCounter::end_warp() {
+  if (!has_addresses_) return;
   for (std::uint32_t s = 0; s < sites_.streams.size(); ++s)
     for (std::uint32_t lane = 0; lane < 32; ++lane)
       counters_.unmatched[s] += queues_[sites_.streams[s].queue * 32 + lane].size() - taken_[s * 32 + lane];

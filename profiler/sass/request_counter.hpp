@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "profiler/counters.hpp"
@@ -31,9 +32,8 @@ class RequestCounter {
  public:
   RequestCounter(const MemorySites& sites, const PtxDecisions& decisions, RequestCounters& counters);
 
-  void begin_warp();
-  // Takes in the addresses of a lane whose trace has them.
-  void add_lane(std::uint32_t lane, const LaneTrace& trace);
+  // Takes in the addresses of the lanes; nothing is counted where their traces have none.
+  void begin_warp(std::span<const LaneTrace> lanes);
   // The lanes come to a block of the code. `ahead`, of each: how many entries of its trace it has left behind
   // when it makes its next choice; an access under a predicate that comes later is not of this block.
   void count(std::uint32_t block, std::uint32_t lanes, const std::array<std::uint32_t, 32>& ahead);
@@ -58,6 +58,7 @@ class RequestCounter {
     const std::uint32_t at = taken_[stream * 32 + lane];
     return at == queue.size() ? nullptr : &queue[at];
   }
+  void add_lane(std::uint32_t lane, const LaneTrace& trace);
   std::uint64_t take_next(std::uint32_t stream, std::uint32_t lane);
   std::uint64_t take(const MemorySite& site, std::uint32_t lane, std::uint32_t ahead);
 
@@ -66,7 +67,8 @@ class RequestCounter {
   std::vector<bool> needs_ahead_;           // [blocks of the code]
   std::vector<Run> runs_;                   // [blocks of the PTX]: of a run from there
   std::vector<std::vector<Noted>> queues_;  // [queues][32]
-  std::vector<std::uint32_t> taken_;        // [streams][32]: how many of the queue have been
+  bool has_addresses_ = false;
+  std::vector<std::uint32_t> taken_;  // [streams][32]: how many of the queue have been
 };
 
 }  // namespace warpgrain::profiler::sass

@@ -2,21 +2,14 @@
 
 #include <array>
 #include <bit>
-#include <limits>
 #include <vector>
 
 #include "profiler/partings.hpp"
+#include "profiler/sass/lane_mask.hpp"
 #include "profiler/sass/lane_walker.hpp"
 
 namespace warpgrain::profiler::sass {
 namespace {
-
-using Mask = std::uint32_t;
-
-template <class F>
-void for_lanes(Mask mask, F&& f) {
-  for (; mask != 0; mask &= mask - 1) f(static_cast<std::uint32_t>(std::countr_zero(mask)));
-}
 
 class Replayer final : public WarpReplayer {
  public:
@@ -39,7 +32,7 @@ class Replayer final : public WarpReplayer {
       if (lanes[lane].blocks == nullptr) continue;
       alive_ |= Mask{1} << lane;
       begins[lane] = choices_.size();
-      walker_.walk(lanes[lane].blocks, choices_);
+      walker_.walk(lanes[lane], choices_);
       ends[lane] = choices_.size();
     }
     if (alive_ == 0) return;
@@ -50,11 +43,7 @@ class Replayer final : public WarpReplayer {
       next_choice_[lane] = choices_.data() + begins[lane];
       last_choice_[lane] = choices_.data() + ends[lane];
     });
-    with_requests_ = lanes[static_cast<std::size_t>(std::countr_zero(alive_))].addresses != nullptr;
-    if (with_requests_) {
-      requests_.begin_warp();
-      for_lanes(alive_, [&](std::uint32_t lane) { requests_.add_lane(lane, lanes[lane]); });
-    }
+    requests_.begin_warp(lanes);
     lost_ = false;
     for (auto& of_barrier : expected_) of_barrier.fill(0);
     frames_.clear();
@@ -68,11 +57,11 @@ class Replayer final : public WarpReplayer {
       }
       if (lost_) give_up();
     }
-    if (with_requests_) requests_.end_warp();
+    requests_.end_warp();
   }
 
  private:
-  static constexpr std::uint32_t no_frame = 0xFFFFFFFF;
+  static constexpr std::uint32_t no_frame = 0xFFFFFFFF, trace_all = 0xFFFFFFFF;
   struct Group {
     Mask lanes;
     std::uint32_t block;
@@ -102,18 +91,12 @@ class Replayer final : public WarpReplayer {
   void run(Group group) {
     const auto n_lanes = static_cast<std::uint32_t>(std::popcount(group.lanes));
     for (;;) {
-      if (lost_) {
-        partings_.release(group.node);
-        return;
-      }
-      if (group.block == no_code) {
-        end(group);
-        return;
-      }
+      if (lost_) return partings_.release(group.node);
+      if (group.block == no_code) return end(group);
       const CodeBlock& block = code_.blocks[group.block];
       ++counters_.block_executions[std::size_t{group.block} * (replayed_warp_width + 1) + n_lanes];
       partings_.issue(group.node, block.last - block.first);
-      if (with_requests_ && !plan_.memory.of_block[group.block].empty()) count_requests(group);
+      if (!plan_.memory.of_block[group.block].empty()) count_requests(group);
       for (const MaskAction& action : block.actions) act(action, group.lanes);
       if (left_ && !waiting_.empty()) release_any();
       left_ = false;
@@ -160,11 +143,10 @@ class Replayer final : public WarpReplayer {
 
   void count_requests(const Group& group) {
     std::array<std::uint32_t, replayed_warp_width> ahead{};
-    if (requests_.needs_ahead(group.block))
-      for_lanes(group.lanes, [&](std::uint32_t lane) {
-        ahead[lane] = next_choice_[lane] == last_choice_[lane] ? std::numeric_limits<std::uint32_t>::max()
-                                                               : next_choice_[lane]->entries;
-      });
+    const auto left_behind = [&](std::uint32_t lane) {
+      ahead[lane] = next_choice_[lane] == last_choice_[lane] ? trace_all : next_choice_[lane]->entries;
+    };
+    if (requests_.needs_ahead(group.block)) for_lanes(group.lanes, left_behind);
     requests_.count(group.block, group.lanes, ahead);
   }
 
@@ -197,7 +179,7 @@ class Replayer final : public WarpReplayer {
   }
 
   void issue_again(const Group& group, std::uint32_t block) {
-    const auto n_lanes = static_cast<std::size_t>(std::popcount(group.lanes));
+    const auto n_lanes = static_cast<std::uint32_t>(std::popcount(group.lanes));
     ++counters_.issued_again[std::size_t{block} * (replayed_warp_width + 1) + n_lanes];
     partings_.issue(group.node, 1);
   }
@@ -350,7 +332,7 @@ class Replayer final : public WarpReplayer {
   }
 
   std::uint32_t cause_of(const Node& node) const {
-    return node.decision == no_decision ? counters_.never_used() : decisions_.blocks_of(node.decision)[0];
+    return node.cause == no_decision ? counters_.never_used() : decisions_.blocks_of(node.cause)[0];
   }
 
   bool pass_table(Group& group) {
@@ -394,7 +376,6 @@ class Replayer final : public WarpReplayer {
   Partings partings_;
   Choices choices_;  // of the warp's lanes, one after another
   std::array<const Choice*, replayed_warp_width> next_choice_{}, last_choice_{};
-  bool with_requests_ = false;
   bool lost_ = false;  // the replay and the lanes' traces have parted
   Mask alive_ = 0;
   std::uint64_t n_partings_ = 0;
