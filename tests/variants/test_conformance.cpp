@@ -211,7 +211,7 @@ TEST_P(Conformance, AgreesWithTheDoubleReference) {
 // float has most to lose.
 TEST(ConformanceAtRest, AgreesWithTheDoubleReference) {
   const Scene scene = load_scene("settled_bed", {.particles = 256, .seed = {}});
-  for (const char* precision : {"fp32", "fp64"}) {
+  for (const char* precision : {"fp32", "fp64", "mixed"}) {
     SCOPED_TRACE(precision);
     Variant variant;
     variant.set("precision", precision);
