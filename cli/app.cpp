@@ -59,14 +59,16 @@ std::unique_ptr<CLI::App> make_app(Action& chosen) {
   add_list_command(*app, chosen);
   add_run_command(*app, chosen);
   add_compare_command(*app, chosen);
+  add_stability_command(*app, chosen);
 #ifdef WARPGRAIN_HAS_SIMULATOR
   add_profile_command(*app, chosen);
   add_record_command(*app, chosen);
   add_sweep_command(*app, chosen);
   add_measure_command(*app, chosen);
   add_paper_command(*app, chosen);
+  add_accuracy_command(*app, chosen);
 #else
-  for (const char* name : {"profile", "record", "sweep", "measure", "paper"})
+  for (const char* name : {"profile", "record", "sweep", "measure", "paper", "accuracy"})
     app->add_subcommand(name, help_text().summary(name))->allow_extras()->callback([name, &chosen] {
       chosen = [name]() -> int {
         throw_input_error(fmt::format("warpgrain {}", name), "this build has no simulator",

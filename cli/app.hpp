@@ -23,6 +23,8 @@ void add_merge_command(CLI::App& app, Action& chosen);
 void add_compare_command(CLI::App& app, Action& chosen);
 void add_completion_command(CLI::App& app, Action& chosen);
 void add_man_command(CLI::App& app, Action& chosen);
+void add_accuracy_command(CLI::App& app, Action& chosen);
+void add_stability_command(CLI::App& app, Action& chosen);
 
 // The whole command, ready to parse.
 std::unique_ptr<CLI::App> make_app(Action& chosen);

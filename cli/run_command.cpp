@@ -11,12 +11,13 @@
 #include "cli/help_text.hpp"
 #include "cli/output.hpp"
 #include "cli/run_loop.hpp"
-#include "core/energy.hpp"
+#include "core/run_monitor.hpp"
 #include "core/state_file.hpp"
-#include "core/time_step.hpp"
+#include "core/time_step_advice.hpp"
 #include "reports/run_report.hpp"
 #include "reports/text_run.hpp"
 #include "reports/vtk_file.hpp"
+#include "variants/contact_laws.hpp"
 
 namespace warpgrain::cli {
 namespace {
@@ -43,11 +44,12 @@ RunGoal requested_goal(const RunOptions& options, const Scene& scene) {
 
 int run(const RunOptions& options) {
   const Backend& chosen_backend = backend(options.backend);
-  const Scene scene = options.scene.load();
+  Scene scene = options.scene.load();
   const Variant variant = options.variant.resolve(scene);
+  scene.model.contact = contact_law(variant).model;  // whose energies are reported
   const TimeStepLimits limits = time_step_limits(scene);
   if (const std::string warning = time_step_warning(scene.time_step, limits); !warning.empty())
-    std::cerr << "warning: " << warning << '\n';
+    warn_of({warning});
   if (!options.vtk_folder.empty()) make_folder(options.vtk_folder);
   const auto simulation =
       chosen_backend.create(scene, variant, options.device.backend_options(chosen_backend.name));
@@ -61,10 +63,12 @@ int run(const RunOptions& options) {
   report.device = simulation->device();
   report.particles = scene.particles.size();
   report.time_step = scene.time_step;
+  RunMonitor monitor(scene);
   const auto sample = [&] {
     const std::uint64_t step = simulation->steps_done();
     const ParticleState state = simulation->state();
-    const Energy energy = energy_of(scene, state);
+    warn_of(monitor.look(step, state));
+    const Energy& energy = monitor.energy();
     report.energy.push_back({step, static_cast<double>(step) * scene.time_step, energy.kinetic_translational,
                              energy.kinetic_rotational, energy.gravitational,
                              energy.elastic_normal + energy.elastic_tangential});
@@ -91,8 +95,10 @@ int run(const RunOptions& options) {
     std::cout
         << reports::text_run(report)
         << fmt::format(
-               "\ntime step {:.3g} s; Rayleigh time {:.3g} s, Hertz contact time {:.3g} s at {:.3g} m/s\n",
-               scene.time_step, limits.rayleigh_time, limits.hertz_contact_time, limits.impact_speed);
+               "\ntime step {:.3g} s{}; Rayleigh time {:.3g} s, Hertz contact time {:.3g} s at {:.3g} m/s\n",
+               scene.time_step,
+               scene.time_step_is_auto ? ", " + advise_time_step(scene, limits).reason : std::string(),
+               limits.rayleigh_time, limits.hertz_contact_time, limits.impact_speed);
   return 0;
 }
 

@@ -4,10 +4,13 @@
 #include <chrono>
 #include <cmath>
 #include <fmt/format.h>
+#include <iostream>
 #include <limits>
 #include <optional>
 
 #include "core/rest_criterion.hpp"
+#include "core/run_monitor.hpp"
+#include "variants/contact_laws.hpp"
 
 namespace warpgrain::cli {
 namespace {
@@ -78,14 +81,25 @@ RunOutcome run_to_goal(Simulation& simulation, const RunGoal& goal, const std::f
   return outcome;
 }
 
+void warn_of(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) std::cerr << "warning: " << warning << '\n';
+}
+
 Scene advanced(const Scene& scene, const Variant& variant, const BackendOptions& options, std::uint64_t steps,
                Progress& progress) {
   Scene result = scene;
   if (steps == 0) return result;
   const auto simulation = backend("opencl").create(scene, variant, options);
+  result.model.contact = contact_law(variant).model;
+  RunMonitor monitor(result);
   run_to_goal(
-      *simulation, {steps, {}, steps}, [] {}, progress);
-  result.particles = simulation->state();
+      *simulation, {steps, {}, steps},
+      [&] {
+        result.particles = simulation->state();
+        warn_of(monitor.look(simulation->steps_done(), result.particles));
+      },
+      progress);
+  result.model.contact = scene.model.contact;
   make_antisymmetric(result.particles.contact_history);
   return result;
 }

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "cli/progress.hpp"
 #include "core/scene.hpp"
@@ -33,7 +35,11 @@ struct RunOutcome {
 RunOutcome run_to_goal(Simulation& simulation, const RunGoal& goal, const std::function<void()>& sample,
                        Progress& progress);
 
-// The scene after `steps` steps of `variant` on the OpenCL device: what later runs and profiles start from.
+// A line each on stderr: what a monitor (core/run_monitor.hpp) or a check has found.
+void warn_of(const std::vector<std::string>& warnings);
+
+// The scene after `steps` steps of `variant` on the OpenCL device: what later runs and profiles start from,
+// so that a monitor looks at it.
 Scene advanced(const Scene& scene, const Variant& variant, const BackendOptions& options, std::uint64_t steps,
                Progress& progress);
 

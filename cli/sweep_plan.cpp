@@ -1,6 +1,7 @@
 #include "cli/sweep_plan.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <fmt/format.h>
 #include <map>
@@ -58,6 +59,16 @@ std::vector<Variant> swept_variants(const std::vector<std::string>& axis_options
   const Variant first = variants.front();
   std::erase_if(variants, [](const Variant& variant) { return !refusal(variant).empty(); });
   if (variants.empty()) throw_input_error("--axis", first.name() + ": " + refusal(first));
+  return variants;
+}
+
+std::vector<Variant> variants_that_compute_differently() {
+  std::vector<Variant> variants = one_value_at_a_time();
+  std::erase_if(variants, [](const Variant& variant) {
+    return std::ranges::any_of(
+        std::array{AxisId::order, AxisId::sort, AxisId::cell_size, AxisId::work_group_size},
+        [&](AxisId axis) { return variant.value(axis) != Variant().value(axis); });
+  });
   return variants;
 }
 

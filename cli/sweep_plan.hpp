@@ -15,6 +15,10 @@ namespace warpgrain::cli {
 // for an axis named twice, and with the reason where no combination makes sense.
 std::vector<Variant> swept_variants(const std::vector<std::string>& axis_options);
 
+// Every value of every axis once, of the axes that can change results: not those that only say how particles
+// and cells lie in memory or how work is dealt out.
+std::vector<Variant> variants_that_compute_differently();
+
 // "I/N": the I-th of N parts, I from 1.
 struct Shard {
   std::size_t index = 1, count = 1;

@@ -9,7 +9,7 @@ namespace warpgrain {
 namespace {
 
 struct Contact {
-  double overlap, effective_radius;
+  double overlap, effective_radius, smaller_radius;
   std::uint32_t partner_id, partner_material;
 };
 
@@ -17,13 +17,13 @@ Contact contact_of(const Scene& scene, const ParticleState& state, std::size_t i
   if (partner & wall_partner_bit) {
     const Wall& wall = scene.walls[partner & ~wall_partner_bit];
     const double overlap = state.radius[i] - wall_proximity(wall, state.position[i]).distance;
-    return {overlap, state.radius[i], partner, wall.material};
+    return {overlap, state.radius[i], state.radius[i], partner, wall.material};
   }
   const double reach = state.radius[i] + state.radius[partner];
   // Touching is decided on squares; rounding may leave less than nothing of the overlap.
   const double overlap = std::max(0.0, reach - (state.position[partner] - state.position[i]).norm());
-  return {overlap, state.radius[i] * state.radius[partner] / reach, state.id[partner],
-          state.material[partner]};
+  return {overlap, state.radius[i] * state.radius[partner] / reach,
+          std::min(state.radius[i], state.radius[partner]), state.id[partner], state.material[partner]};
 }
 
 double squared_displacement(const ContactHistory& history, std::uint32_t particle, std::uint32_t partner) {
@@ -37,7 +37,7 @@ double squared_displacement(const ContactHistory& history, std::uint32_t particl
 
 }  // namespace
 
-Energy energy_of(const Scene& scene, const ParticleState& state) {
+Energy energy_of(const Scene& scene, const ParticleState& state, DeepestContact* deepest) {
   Energy energy;
   for (std::size_t k = 0; k < state.size(); ++k) {
     const double inertia = 0.4 * state.mass[k] * state.radius[k] * state.radius[k];
@@ -52,6 +52,8 @@ Energy energy_of(const Scene& scene, const ParticleState& state) {
   for (std::size_t i = 0; i < state.size(); ++i)
     for (std::uint32_t k = rows.row_start[i]; k < rows.row_start[i + 1]; ++k) {
       const Contact contact = contact_of(scene, state, i, rows.partner[k]);
+      const double share = contact.overlap / contact.smaller_radius;
+      if (deepest && share > deepest->share) *deepest = {share, state.id[i], contact.partner_id};
       if (scene.model.contact == ContactModel::simple) {
         energy.elastic_normal += scene.model.simple.k_spring * contact.overlap * contact.overlap / 2;
         continue;

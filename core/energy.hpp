@@ -21,6 +21,14 @@ struct Energy {
   }
 };
 
-Energy energy_of(const Scene& scene, const ParticleState& state);
+// The contact whose overlap is the largest part of a radius: the smaller one of two particles, the particle's
+// at a wall.
+struct DeepestContact {
+  double share = 0;                               // overlap / that radius; 0 where nothing touches
+  std::uint32_t particle_id = 0, partner_id = 0;  // a wall as contact_history.hpp has it
+};
+
+// Positions have to be finite and inside the domain. `deepest` is filled in where it is asked for.
+Energy energy_of(const Scene& scene, const ParticleState& state, DeepestContact* deepest = nullptr);
 
 }  // namespace warpgrain

@@ -7,7 +7,7 @@
 #include "core/file_io.hpp"
 #include "core/scene_domain.hpp"
 #include "core/scene_json.hpp"
-#include "core/time_step.hpp"
+#include "core/time_step_advice.hpp"
 
 namespace warpgrain {
 namespace {
@@ -71,7 +71,7 @@ Scene parse_scene(std::string_view json_text, const std::filesystem::path& where
   stretch_lengths(scene, stretch);
   read_contacts(json, scene);
   read_time(json, scene);
-  if (scene.time_step_is_auto) scene.time_step = automatic_time_step(time_step_limits(scene));
+  if (scene.time_step_is_auto) scene.time_step = advise_time_step(scene, time_step_limits(scene)).step;
   if (!json.has("domain")) scene.domain = derive_domain(scene);
   require_particles_inside(json, scene);
   return scene;

@@ -13,6 +13,8 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <map>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -72,27 +74,62 @@ FoundDevice choose_device(const std::string& substring) {
   throw_unknown_name("--device", "device", substring, names);
 }
 
+// The context of a device and the programs built in it, for all simulations of the process: even a program
+// that the driver finds on disk takes as long to build as some hundred steps of a small scene.
+class SharedContext {
+ public:
+  explicit SharedContext(const cl::Device& device) : device_(device), context_(device) {}
+
+  const cl::Context& context() const { return context_; }
+  // Throws cl::BuildError.
+  cl::Program program(const SourceUnit& unit) {
+    const std::lock_guard lock(mutex_);
+    const auto found = programs_.find({unit.text, unit.build_options});
+    if (found != programs_.end()) return found->second;
+    cl::Program program(context_, unit.text);
+    program.build(device_, unit.build_options.c_str());
+    if (programs_.size() == most_programs) programs_.clear();
+    return programs_[{unit.text, unit.build_options}] = program;
+  }
+
+  // Never destroyed: drivers may be gone before static objects are.
+  static SharedContext& of(const cl::Device& device) {
+    static std::mutex mutex;
+    static auto* const contexts = new std::map<cl_device_id, std::unique_ptr<SharedContext>>;
+    const std::lock_guard lock(mutex);
+    std::unique_ptr<SharedContext>& context = (*contexts)[device()];
+    if (!context) context = std::make_unique<SharedContext>(device);
+    return *context;
+  }
+
+ private:
+  static constexpr std::size_t most_programs = 64;
+  cl::Device device_;
+  cl::Context context_;
+  std::mutex mutex_;
+  std::map<std::pair<std::string, std::string>, cl::Program> programs_;  // by text and options
+};
+
 class OpenclDevice : public ComputeDevice {
  public:
   OpenclDevice(const FoundDevice& found, std::filesystem::path ptx_folder)
       : name_(found.name),
         ptx_folder_(std::move(ptx_folder)),
         device_(found.device),
-        context_(found.device),
+        shared_(SharedContext::of(found.device)),
+        context_(shared_.context()),
         queue_(context_, found.device, CL_QUEUE_PROFILING_ENABLE) {}
 
   void build(const std::vector<SourceUnit>& units) override {
     for (const SourceUnit& unit : units) {
-      cl::Program program(context_, unit.text);
       try {
-        program.build(device_, unit.build_options.c_str());
+        units_.push_back({shared_.program(unit), {}});
       } catch (const cl::BuildError& error) {
         std::string log = error.getBuildLog().empty() ? std::string() : error.getBuildLog().front().second;
         while (!log.empty() && (log.back() == '\n' || log.back() == '\0')) log.pop_back();
         throw_input_error("kernels", fmt::format("do not compile for {}\n{}", name_, log));
       }
-      if (!ptx_folder_.empty()) guarded([&] { keep_ptx(program); });
-      units_.push_back({program, {}});
+      if (!ptx_folder_.empty()) guarded([&] { keep_ptx(units_.back().program); });
     }
   }
 
@@ -193,6 +230,7 @@ class OpenclDevice : public ComputeDevice {
   std::string name_;
   std::filesystem::path ptx_folder_;  // empty: PTX is not kept
   cl::Device device_;
+  SharedContext& shared_;
   cl::Context context_;
   cl::CommandQueue queue_;
   std::vector<Unit> units_;

@@ -33,14 +33,16 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
 class SimulatedDevice : public OverSimulatorArrays<SimtDevice> {
  public:
   SimulatedDevice(profiler::TraceMode mode, KernelCompiler compiler, profiler::Checks checks,
-                  unsigned threads)
+                  unsigned threads, Approximations approximations)
       : mode_(mode),
         compiler_(compiler),
         checks_(checks),
+        approximations_(approximations),
         threads_(threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency())) {}
 
   void build(const std::vector<SourceUnit>& units) override {
-    for (const SourceUnit& unit : units) units_.push_back(SimulatedUnit::of(unit, compiler_, mode_, checks_));
+    for (const SourceUnit& unit : units)
+      units_.push_back(SimulatedUnit::of(unit, compiler_, mode_, checks_, approximations_));
   }
 
   void launch(const KernelLaunch& launch) override {
@@ -114,6 +116,7 @@ class SimulatedDevice : public OverSimulatorArrays<SimtDevice> {
   profiler::TraceMode mode_;
   KernelCompiler compiler_;
   profiler::Checks checks_;
+  Approximations approximations_;
   unsigned threads_;
   std::vector<std::shared_ptr<SimulatedUnit>> units_;
   std::vector<KernelTiming> timings_;
@@ -128,8 +131,9 @@ class SimulatedDevice : public OverSimulatorArrays<SimtDevice> {
 std::string simulator_lacks() { return {}; }
 
 std::unique_ptr<SimtDevice> make_simt_device(profiler::TraceMode mode, unsigned threads,
-                                             KernelCompiler compiler, profiler::Checks checks) {
-  return std::make_unique<SimulatedDevice>(mode, compiler, checks, threads);
+                                             KernelCompiler compiler, profiler::Checks checks,
+                                             Approximations approximations) {
+  return std::make_unique<SimulatedDevice>(mode, compiler, checks, threads, approximations);
 }
 
 }  // namespace warpgrain
@@ -140,8 +144,8 @@ namespace warpgrain {
 
 std::string simulator_lacks() { return "built without the simulator (WARPGRAIN_SIMULATOR=OFF)"; }
 
-std::unique_ptr<SimtDevice> make_simt_device(profiler::TraceMode, unsigned, KernelCompiler,
-                                             profiler::Checks) {
+std::unique_ptr<SimtDevice> make_simt_device(profiler::TraceMode, unsigned, KernelCompiler, profiler::Checks,
+                                             Approximations) {
   throw_input_error("simt", simulator_lacks());
 }
 

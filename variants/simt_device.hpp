@@ -1,6 +1,7 @@
 #pragma once
 // The simulator as a device: it runs the same kernels, compiled to PTX, and counts their warps when asked to.
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -11,6 +12,10 @@
 #include "variants/compute_device.hpp"
 
 namespace warpgrain {
+
+// What PTX's approximate functions of floats give: the exact result, rounded once, or one that is off by what
+// the PTX ISA allows (profiler/approximate_ptx.hpp).
+enum class Approximations : std::uint8_t { exact, as_far_off_as_allowed };
 
 class SimtDevice : public ComputeDevice {
  public:
@@ -30,6 +35,7 @@ std::string simulator_lacks();
 // InputError when simulator_lacks().
 std::unique_ptr<SimtDevice> make_simt_device(profiler::TraceMode mode, unsigned threads,
                                              KernelCompiler compiler = KernelCompiler::clang,
-                                             profiler::Checks checks = profiler::Checks::off);
+                                             profiler::Checks checks = profiler::Checks::off,
+                                             Approximations approximations = Approximations::exact);
 
 }  // namespace warpgrain

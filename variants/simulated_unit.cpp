@@ -6,6 +6,8 @@
 #include <chrono>
 #include <deque>
 
+#include "profiler/approximate_ptx.hpp"
+
 namespace warpgrain {
 namespace {
 
@@ -15,23 +17,28 @@ constexpr std::size_t units_kept = 12;
 }  // namespace
 
 SimulatedUnit::SimulatedUnit(const SourceUnit& source, KernelCompiler compiler, profiler::TraceMode mode,
-                             profiler::Checks checks)
+                             profiler::Checks checks, Approximations approximations)
     : source_(source),
       compiler_(compiler),
       mode_(mode),
       checks_(checks),
+      approximations_(approximations),
       compiled_(compile_unit(source, compiler)) {
+  if (approximations == Approximations::as_far_off_as_allowed)
+    compiled_.ptx = profiler::with_displaced_approximations(compiled_.ptx);
   if (checks == profiler::Checks::on)
     declarations_ = profiler::declaration_bitcode(source.text, name, source.build_options);
 }
 
 std::shared_ptr<SimulatedUnit> SimulatedUnit::of(const SourceUnit& source, KernelCompiler compiler,
-                                                 profiler::TraceMode mode, profiler::Checks checks) {
+                                                 profiler::TraceMode mode, profiler::Checks checks,
+                                                 Approximations approximations) {
   static std::mutex mutex;
   static std::deque<std::shared_ptr<SimulatedUnit>> kept;  // used last first
   const auto is_it = [&](const std::shared_ptr<SimulatedUnit>& unit) {
     return unit->compiler_ == compiler && unit->mode_ == mode && unit->checks_ == checks &&
-           unit->source_.text == source.text && unit->source_.build_options == source.build_options;
+           unit->approximations_ == approximations && unit->source_.text == source.text &&
+           unit->source_.build_options == source.build_options;
   };
   const auto take = [&]() -> std::shared_ptr<SimulatedUnit> {
     const std::lock_guard lock(mutex);
@@ -42,7 +49,7 @@ std::shared_ptr<SimulatedUnit> SimulatedUnit::of(const SourceUnit& source, Kerne
   };
   if (auto unit = take()) return unit;
   // Compiled outside of the lock, by two threads at once if need be.
-  std::shared_ptr<SimulatedUnit> unit(new SimulatedUnit(source, compiler, mode, checks));
+  std::shared_ptr<SimulatedUnit> unit(new SimulatedUnit(source, compiler, mode, checks, approximations));
   const std::lock_guard lock(mutex);
   kept.push_front(unit);
   if (kept.size() > units_kept) kept.pop_back();

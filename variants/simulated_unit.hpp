@@ -12,6 +12,7 @@
 #include "profiler/kernel_declaration.hpp"
 #include "profiler/opencl_frontend.hpp"
 #include "variants/kernel_compiler.hpp"
+#include "variants/simt_device.hpp"
 #include "variants/step_plan.hpp"
 
 namespace warpgrain {
@@ -29,7 +30,8 @@ class SimulatedUnit {
   // The unit of that text and those options, compiled by that compiler if no device has it or had it lately.
   // Throws InputError with the compiler's message.
   static std::shared_ptr<SimulatedUnit> of(const SourceUnit& source, KernelCompiler compiler,
-                                           profiler::TraceMode mode, profiler::Checks checks);
+                                           profiler::TraceMode mode, profiler::Checks checks,
+                                           Approximations approximations);
 
   const std::string& text() const { return source_.text; }
   const profiler::CompiledPtx& compiled() const { return compiled_; }
@@ -38,12 +40,13 @@ class SimulatedUnit {
 
  private:
   SimulatedUnit(const SourceUnit& source, KernelCompiler compiler, profiler::TraceMode mode,
-                profiler::Checks checks);
+                profiler::Checks checks, Approximations approximations);
 
   SourceUnit source_;
   KernelCompiler compiler_;
   profiler::TraceMode mode_;
   profiler::Checks checks_;
+  Approximations approximations_;
   profiler::CompiledPtx compiled_;
   std::string declarations_;  // bitcode; with checks
   std::mutex mutex_;

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "profiler/division_path.hpp"
+#include "profiler/ptx/displacement.hpp"
 #include "profiler/ptx/float_extremum.hpp"
 #include "profiler/ptx/float_operation.hpp"
 #include "profiler/ptx/instruction_facts.hpp"
@@ -222,10 +223,16 @@ void emit_div(Emitter& e) {
   FloatOperation modes(e, FloatOperation::Rounding::any);
   // .approx and .full allow an error of 2 ulp; evaluated exactly, as PoCL evaluates them.
   e.modifiers().take_one_of({"approx", "full"});
+  const bool is_displaced = takes_displacement(e);
   const ScalarType type = e.take_type();
   if (type.is_float()) {
     Value* a = modes.input(1, type);
     Value* b = modes.input(2, type);
+    if (is_displaced) {
+      llvm::Type* const f64 = e.ir.getDoubleTy();
+      Value* exact = e.ir.CreateFDiv(e.ir.CreateFPExt(a, f64), e.ir.CreateFPExt(b, f64));
+      return modes.output(displaced(e, exact, div_displacement), type);
+    }
     Value* quotient = modes.rounded("div", {a, b}, e.ir.CreateFDiv(a, b));
     // In the place of an address.
     if (instruction_facts(e.statement()).records_path)

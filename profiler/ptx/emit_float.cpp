@@ -1,6 +1,7 @@
 // Functions of one float. The `.approx` ones have error bounds of their own on every device; here they are
 // evaluated correctly rounded, or nearly so, as PoCL does.
 
+#include "profiler/ptx/displacement.hpp"
 #include "profiler/ptx/float_operation.hpp"
 #include "profiler/ptx/instructions.hpp"
 
@@ -23,17 +24,29 @@ Value* upper_word(Emitter& e, Value* value) {
 void emit_sqrt(Emitter& e) {
   FloatOperation modes(e, FloatOperation::Rounding::any);
   take_accuracy(e);
+  const bool is_displaced = takes_displacement(e);
   const ScalarType type = e.take_type(Emitter::Types::floating);
   Value* x = modes.input(1, type);
+  if (is_displaced) {
+    llvm::Type* const f64 = e.ir.getDoubleTy();
+    Value* root = e.call_intrinsic(llvm::Intrinsic::sqrt, f64, {e.ir.CreateFPExt(x, f64)});
+    return modes.output(displaced(e, root, sqrt_displacement), type);
+  }
   modes.output(modes.rounded("sqrt", {x}, e.call_intrinsic(llvm::Intrinsic::sqrt, e.type(type), {x})), type);
 }
 
 void emit_rcp(Emitter& e) {
   FloatOperation modes(e, FloatOperation::Rounding::any);
   take_accuracy(e);
+  const bool is_displaced = takes_displacement(e);
   const ScalarType type = e.take_type(Emitter::Types::floating);
   const bool rough = modes.flushes() && type.bits == 64;
   Value* x = modes.input(1, type);
+  if (is_displaced) {
+    llvm::Type* const f64 = e.ir.getDoubleTy();
+    Value* inverse = e.ir.CreateFDiv(llvm::ConstantFP::get(f64, 1.0), e.ir.CreateFPExt(x, f64));
+    return modes.output(displaced(e, inverse, rcp_displacement), type);
+  }
   if (rough) x = upper_word(e, x);
   Value* one = llvm::ConstantFP::get(e.type(type), 1.0);
   Value* result = modes.rounded("div", {one, x}, e.ir.CreateFDiv(one, x));
@@ -43,6 +56,7 @@ void emit_rcp(Emitter& e) {
 void emit_rsqrt(Emitter& e) {
   FloatOperation modes(e);
   take_accuracy(e);
+  const bool is_displaced = takes_displacement(e);
   const ScalarType type = e.take_type(Emitter::Types::floating);
   // In double, so that two roundings to float do not add up.
   llvm::Type* const f64 = e.ir.getDoubleTy();
@@ -51,6 +65,7 @@ void emit_rsqrt(Emitter& e) {
   if (rough) x = upper_word(e, x);
   Value* root = e.call_intrinsic(llvm::Intrinsic::sqrt, f64, {x});
   Value* result = e.ir.CreateFDiv(llvm::ConstantFP::get(f64, 1.0), root);
+  if (is_displaced) return modes.output(displaced(e, result, rsqrt_displacement), type);
   if (rough) result = upper_word(e, result);
   modes.output(e.ir.CreateFPTrunc(result, e.type(type)), type);
 }

@@ -1,0 +1,62 @@
+#include <algorithm>
+#include <fmt/format.h>
+#include <map>
+
+#include "reports/stability_report.hpp"
+
+namespace warpgrain::reports {
+namespace {
+
+using Cells = std::vector<const StabilityReport::Cell*>;
+
+std::string case_name(const StabilityReport::Cell& cell) {
+  return fmt::format("{} ({})", cell.variant, cell.backend);
+}
+
+// Those whose limits are alike: the same verdict, and right to the same two digits.
+std::vector<Cells> alike(const StabilityReport& report, const StabilityReport::Probe& probe) {
+  std::vector<Cells> groups;
+  std::map<std::string, std::size_t> known;
+  for (const StabilityReport::Cell& cell : report.cells) {
+    if (cell.probe != probe.name) continue;
+    const std::string key =
+        fmt::format("{} {:.2g}", verdict_name(cell.verdict), cell.right_until.value_or(0));
+    const auto [place, is_new] = known.emplace(key, groups.size());
+    if (is_new) groups.emplace_back();
+    groups[place->second].push_back(&cell);
+  }
+  return groups;
+}
+
+std::string names_of(const Cells& cells, std::size_t all) {
+  if (cells.size() == all && all > 1) return fmt::format("all {}", all);
+  std::string text;
+  for (const StabilityReport::Cell* cell : cells)
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", case_name(*cell));
+  return text;
+}
+
+}  // namespace
+
+std::string text_stability(const StabilityReport& report) {
+  std::string text;
+  for (const StabilityReport::Probe& probe : report.probes) {
+    const std::string unit = probe.unit.empty() ? "" : fmt::format(" [{}]", probe.unit);
+    text += fmt::format("{}: {}\n  {}{} from {:.3g} to {:.3g}; {}\n", probe.name, probe.summary,
+                        probe.parameter, unit, probe.from, probe.to, probe.invariant);
+    const std::vector<Cells> groups = alike(report, probe);
+    std::size_t all = 0;
+    for (const Cells& cells : groups) all += cells.size();
+    for (const Cells& cells : groups)
+      text += fmt::format("    {}\n      {}\n", limits_text(probe, *cells.front()), names_of(cells, all));
+    text += "\n";
+  }
+  std::map<Verdict, int> counts;
+  for (const StabilityReport::Cell& cell : report.cells) ++counts[cell.verdict];
+  for (const auto& [verdict, count] : counts)
+    text +=
+        fmt::format("{}{} {}", verdict == counts.begin()->first ? "" : ", ", count, verdict_name(verdict));
+  return text + "\n";
+}
+
+}  // namespace warpgrain::reports
