@@ -60,9 +60,9 @@ std::vector<reports::StudyReport::Table> convergence_tables() {
   for (const double restitution : {0.98, 0.5})
     for (const double angle : {15, 30, 60}) tables.push_back(table_of(angle, restitution));
   tables.back().note =
-      "The order is the slope of log |spin - spin at the finest| over log(step); about 1 where it converges, "
-      "about 0 "
-      "where it does not.";
+      "The order is the slope of log |spin - spin at the finest| over log(step). 1 and above: the "
+      "integrator's own; "
+      "below, the contact changes between sticking and slipping as steps become smaller.";
   return tables;
 }
 
