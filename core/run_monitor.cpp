@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <numeric>
 
 #include "core/error.hpp"
 
@@ -72,16 +73,21 @@ void RunMonitor::judge_overlap(std::uint64_t step, const DeepestContact& deepest
 
 void RunMonitor::judge_energy(std::uint64_t step, const ParticleState& state,
                               std::vector<std::string>& warnings) {
-  const double total = energy_.total();
+  const Vector3d middle = (scene_.domain.lower + scene_.domain.upper) / 2;
+  const double mass = std::accumulate(state.mass.begin(), state.mass.end(), 0.0);
+  const double noise =
+      1e-6 * mass * scene_.gravity.norm() * (scene_.domain.upper - scene_.domain.lower).norm();
+  const double total = energy_.total() + mass * scene_.gravity.dot(middle);
   least_total_ = has_looked_ ? std::min(least_total_, total) : total;
-  largest_internal_ = std::max(largest_internal_, total - energy_.gravitational);
+  largest_internal_ = std::max(largest_internal_, energy_.total() - energy_.gravitational);
   has_looked_ = true;
-  const double growth = largest_internal_ > 0 ? (total - least_total_) / largest_internal_ : 0;
+  const double gained = total - least_total_ - noise;
+  const double growth = largest_internal_ > 0 ? gained / largest_internal_ : 0;
   if (growth < limits_.energy_warning) return;
   const std::size_t k = fastest(state);
   const std::string what = fmt::format(
-      "the energy has grown by {:.3g} J without a source, {:.2g} of all kinetic and elastic energy",
-      total - least_total_, growth);
+      "the energy has grown by {:.3g} J without a source, {:.2g} of all kinetic and elastic energy", gained,
+      growth);
   const std::string particle =
       fmt::format("{} is the fastest, at {:.3g} m/s", place_of(step, state.id[k]), state.velocity[k].norm());
   if (growth >= limits_.energy_error)

@@ -19,7 +19,9 @@ struct MonitorLimits {
   // centre of one lies on the other's surface, and the force no longer says which way is out.
   double overlap_warning = 0.2, overlap_error = 1;
   // Total energy above the least seen so far, as a part of the largest kinetic and elastic energy seen:
-  // nothing in a scene gives energy, so that all growth is the integration's or the arithmetic's.
+  // nothing in a scene gives energy, so that all growth is the integration's or the arithmetic's. What
+  // rounding a mass to float makes of the energy of place, 1e-6 of the whole weight times the size of the
+  // domain, is none.
   double energy_warning = 0.05, energy_error = 0.5;
 };
 
@@ -43,7 +45,7 @@ class RunMonitor {
   MonitorLimits limits_;
   Energy energy_;
   bool has_looked_ = false, warned_of_overlap_ = false, warned_of_energy_ = false;
-  double least_total_ = 0, largest_internal_ = 0;  // J
+  double least_total_ = 0, largest_internal_ = 0;  // J, places counted from the middle of the domain
 };
 
 }  // namespace warpgrain

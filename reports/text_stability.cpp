@@ -9,10 +9,6 @@ namespace {
 
 using Cells = std::vector<const StabilityReport::Cell*>;
 
-std::string case_name(const StabilityReport::Cell& cell) {
-  return fmt::format("{} ({})", cell.variant, cell.backend);
-}
-
 // Those whose limits are alike: the same verdict, and right to the same two digits.
 std::vector<Cells> alike(const StabilityReport& report, const StabilityReport::Probe& probe) {
   std::vector<Cells> groups;
@@ -28,11 +24,20 @@ std::vector<Cells> alike(const StabilityReport& report, const StabilityReport::P
   return groups;
 }
 
-std::string names_of(const Cells& cells, std::size_t all) {
-  if (cells.size() == all && all > 1) return fmt::format("all {}", all);
+bool has_one_backend(const StabilityReport& report) {
+  return std::ranges::all_of(report.cells, [&](const StabilityReport::Cell& cell) {
+    return cell.backend == report.cells.front().backend;
+  });
+}
+
+// The larger part of all is not listed.
+std::string names_of(const Cells& cells, std::size_t all, bool with_backends) {
+  if (all > 2 && cells.size() == all) return fmt::format("all {}", all);
+  if (cells.size() > 3 && 2 * cells.size() > all) return fmt::format("the other {} of {}", cells.size(), all);
   std::string text;
   for (const StabilityReport::Cell* cell : cells)
-    text += fmt::format("{}{}", text.empty() ? "" : ", ", case_name(*cell));
+    text += fmt::format("{}{}{}", text.empty() ? "" : ", ", cell->variant,
+                        with_backends ? fmt::format(" ({})", cell->backend) : "");
   return text;
 }
 
@@ -48,7 +53,8 @@ std::string text_stability(const StabilityReport& report) {
     std::size_t all = 0;
     for (const Cells& cells : groups) all += cells.size();
     for (const Cells& cells : groups)
-      text += fmt::format("    {}\n      {}\n", limits_text(probe, *cells.front()), names_of(cells, all));
+      text += fmt::format("    {}\n      {}\n", limits_text(probe, *cells.front()),
+                          names_of(cells, all, !has_one_backend(report)));
     text += "\n";
   }
   std::map<Verdict, int> counts;

@@ -81,6 +81,22 @@ TEST(RunMonitor, SeesEnergyThatNothingHasGiven) {
   EXPECT_THAT(refusal_of(scene, state), HasSubstr("without a source"));
 }
 
+// A device's masses are floats: far from the origin that alone moves the energy of place by more than a
+// sphere at rest has in its contact.
+TEST(RunMonitor, TakesTheRoundingOfMassesForNoGrowth) {
+  ExampleScene example;
+  example.gravity = "[0, 0, -9.81]";
+  example.domain = R"({ "lower": [-0.1, -0.1, 1000], "upper": [0.1, 0.1, 1000.2] })";
+  example.particles = R"([{ "material": "glass", "radius": 0.001, "position": [0, 0, 1000.000999] }])";
+  example.walls = R"([{ "material": "glass", "plane": { "point": [0, 0, 1000], "normal": [0, 0, 1] } }])";
+  const Scene scene = example.scene();
+  RunMonitor monitor(scene);
+  monitor.look(0, scene.particles);
+  ParticleState state = scene.particles;
+  state.mass[0] *= 1 - 6e-8;
+  EXPECT_THAT(monitor.look(1, state), testing::IsEmpty());
+}
+
 TEST(RunMonitor, CountsAFallAsNoGrowth) {
   Scene scene = load_scene("free_fall");
   RunMonitor monitor(scene);
