@@ -10,6 +10,16 @@ packages=(
   libgtest-dev libgmock-dev libbenchmark-dev libmpfr-dev
   python3-jsonschema
 )
+# The charts of report pages; without npm, or a registry, pages have their tables alone.
+pages="$(dirname "$0")/../reports/html"
+if ! cmp -s "$pages/package-lock.json" "$pages/node_modules/.installed" && command -v npm >/dev/null; then
+  if npm ci --prefix "$pages" --no-audit --no-fund --silent; then
+    cp "$pages/package-lock.json" "$pages/node_modules/.installed"
+  else
+    echo "no ECharts from npm: pages of reports will have no charts" >&2
+  fi
+fi
+
 missing=()
 for package in "${packages[@]}"; do
   [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || missing+=("$package")

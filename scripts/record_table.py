@@ -35,10 +35,10 @@ PROGRAMS = (
     ("--first 1 --largest 300000", f"/usr/bin/python3 {EXAMPLES}/n-body.py"),
     ("--first 1", "clFFT-client -x 1024 -b 16"),
     ("--first 1", "clFFT-client -x 243 -y 125"),
-    ("--first 1", "clblast_tuner_xaxpy -n 65536 -runs 1"),
-    ("--first 1", "clblast_tuner_xdot -n 65536 -runs 1"),
-    ("--first 1", "clblast_tuner_xgemm_direct -n 64 -m 64 -k 64 -runs 1 -fraction 128"),
-    ("--first 1 --largest 300000", "clpeak --kernel-latency --compute-sp --compute-dp"),
+    ("--first 1", "clblast_tuner_xdot -n 65536 -runs 1 -fraction 8"),
+    ("--first 1", "clblast_tuner_xger -n 128 -m 128 -runs 1 -fraction 16"),
+    ("--first 1", "clblast_tuner_copy_fast -n 256 -m 256 -runs 1 -fraction 8"),
+    ("--first 1 --largest 300000", "clpeak --kernel-latency --compute-integer"),
 )
 ENVIRONMENT = {"PYOPENCL_NO_CACHE": "1", "PYOPENCL_CTX": "0"}
 
@@ -59,17 +59,16 @@ def run(words, folder):
 
 def worst_branch(launches):
     """Where most lane slots are lost, with its share of all that are lost."""
-    lost, everything = collections.Counter(), 0
+    lost = collections.Counter()
     for launch in launches:
-        everything += launch["lane_slots_never_used"]
+        lost["warps that are not full from the start"] += launch["lane_slots_never_used"]
         for branch in launch["branches"]:
             label = " ".join(branch["label"].split())
             lost[f'`{label[:60]}`' if label else f'{branch["file"]}:{branch["line"]}'] += branch["lane_slots_lost"]
-            everything += branch["lane_slots_lost"]
-    label, slots = (lost.most_common(1) or [("", 0)])[0]
+    (label, slots), = lost.most_common(1)
     if slots == 0:
         return "none"
-    return f"{label.replace('|', chr(92) + '|')} {100 * slots / everything:.0f} %"
+    return f"{label.replace('|', chr(92) + '|')} {100 * slots / sum(lost.values()):.0f} %"
 
 
 def kernel_rows(program, report):
@@ -104,7 +103,7 @@ def record(warpgrain, options, command):
         files = sorted(saved.glob("launch-*.sim"))
         profiled = sum(run([warpgrain, "profile", "--quiet", f], folder)[0] for f in files)
     remarks = [line.removeprefix("warpgrain record: ") for line in errors.splitlines() if line.startswith("warpgrain record: ")]
-    cost = (name, len(files), f"{alone:.1f}", f"{recorded:.1f}", f"{profiled:.1f}", f"{recorded / profiled:.2f}" if files else "-")
+    cost = (name, len(files), f"{alone:.1f}", f"{recorded:.1f}", f"{profiled:.1f}", f"{(recorded - alone) / profiled:.2f}" if files else "-")
     return list(kernel_rows(name, report)), cost, remarks
 
 
@@ -132,7 +131,7 @@ def main():
         remarks += [f"* {cost[0]}: {note}" for note in notes]
     text = table(("program", "kernel", "launches", "SIMT efficiency", "warp instructions", "lane slots lost most at"), kernels)
     text += "\n" + table(
-        ("program", "launches", "alone, CPU s", "record, CPU s", "profile of the saved files, CPU s", "record / profile"), costs
+        ("program", "launches", "alone, CPU s", "record, CPU s", "profile of the saved files, CPU s", "(record - alone) / profile"), costs
     )
     if remarks:
         text += "\nWhat record said of them:\n\n" + "\n".join(remarks) + "\n"

@@ -26,10 +26,10 @@ std::string lanes_bars(const std::vector<std::uint64_t>& lane_histogram) {
   const auto most = std::max_element(lane_histogram.begin(), lane_histogram.end());
   if (most == lane_histogram.end() || *most == 0) return {};
   std::string svg = fmt::format(
-      "<svg class=\"lanes\" viewBox=\"0 0 {} 16\" preserveAspectRatio=\"none\"><title>executions by active "
-      "lanes, "
-      "0 to {}</title>",
-      lane_histogram.size(), lane_histogram.size() - 1);
+      "<svg class=\"lanes\" data-lanes=\"{}\" viewBox=\"0 0 {} 16\" "
+      "preserveAspectRatio=\"none\"><title>executions "
+      "by active lanes, 0 to {}</title>",
+      fmt::join(lane_histogram, ","), lane_histogram.size(), lane_histogram.size() - 1);
   for (std::size_t lanes = 0; lanes < lane_histogram.size(); ++lanes) {
     const double height = 16 * static_cast<double>(lane_histogram[lanes]) / static_cast<double>(*most);
     if (height > 0)

@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "reports/html/charts.hpp"
 
 namespace warpgrain::reports::html {
-namespace {
 
 std::string_view asset(std::string_view path) {
   const auto assets = page_assets();
@@ -15,8 +15,6 @@ std::string_view asset(std::string_view path) {
   if (found == assets.end()) throw_input_error(path, "not embedded", "a file of reports/html");
   return found->text;
 }
-
-}  // namespace
 
 std::string escape(std::string_view text) {
   std::string escaped;
@@ -51,8 +49,10 @@ std::string page(std::string_view title, std::string_view body) {
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>{}</title>\n"
-      "<style>\n{}</style>\n</head>\n<body>\n<main>\n{}</main>\n<script>\n{}</script>\n</body>\n</html>\n",
-      escape(title), asset("html/page.css"), body, asset("html/sort.js"));
+      "<style>\n{}</style>\n</head>\n<body>\n<main>\n{}</main>\n<script>\n{}{}</script>\n{}</body>\n</"
+      "html>\n",
+      escape(title), asset("html/page.css"), body, asset("html/sort.js"), asset("html/filter.js"),
+      chart_scripts(body));
 }
 
 }  // namespace warpgrain::reports::html

@@ -14,6 +14,9 @@ struct PageAsset {
 };
 std::span<const PageAsset> page_assets();
 
+// The text of one; throws InputError where it was not embedded.
+std::string_view asset(std::string_view path);
+
 // Text as it may stand between tags and in quoted attributes. Control characters become the replacement
 // character.
 std::string escape(std::string_view text);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 
+#include "reports/html/charts.hpp"
 #include "reports/html/page.hpp"
 #include "reports/html/table.hpp"
 #include "reports/sweep_columns.hpp"
@@ -67,6 +68,7 @@ std::string sweep_page(const SweepIndex& index) {
       "<h1>{}</h1>\n<p class=\"soft\">Variant sweep; click a heading to sort, point at it for "
       "its meaning.</p>\n{}",
       html::escape(title), table_of(index).html());
+  body += html::sweep_charts(index);
   body += "<h2>Columns</h2>\n<dl>\n";
   for (const SweepColumn& column : sweep_columns(index))
     body += fmt::format("<dt>{}</dt><dd>{}</dd>\n", html::escape(column.heading),

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "reports/html/charts.hpp"
 #include "reports/html/page.hpp"
 #include "reports/html/table.hpp"
 #include "reports/html/views.hpp"
@@ -52,6 +53,7 @@ std::string what_if_view(const KernelSummary& kernel) {
   std::string html =
       fmt::format("<h3>What if</h3>\n<p>The run: {} lanes a warp, {}, threads as launched.</p>\n{}",
                   kernel.counters.warp_width, escape(kernel.counters.policy), table.html());
+  html += what_if_chart(kernel.counters);
   for (const std::string& remark : remarks_of(kernel.counters.what_if))
     html += fmt::format("<p class=\"soft\">{}</p>\n", escape(remark));
   return html;
