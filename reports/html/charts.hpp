@@ -2,10 +2,8 @@
 // Charts of a page, drawn by ECharts in the reader's browser. Without it, where the build had no npm, pages
 // have the tables alone.
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "profiler/counters.hpp"
 #include "reports/sweep_index.hpp"
