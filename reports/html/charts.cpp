@@ -36,7 +36,7 @@ std::string script_of(std::string_view text) {
   return fmt::format("<script>//<![CDATA[\n{}\n//]]></script>\n", script);
 }
 
-ChartData optional_number(const std::optional<double>& value) {
+ChartData number_or_null(const std::optional<double>& value) {
   return value ? ChartData(*value) : ChartData(nullptr);
 }
 
@@ -65,7 +65,7 @@ std::string sweep_charts(const SweepIndex& index) {
   }
   for (const SweepColumn& column : sweep_columns(index)) {
     ChartData values = ChartData::array();
-    for (const SweepCase* sweep_case : done) values.push_back(optional_number(column.value(*sweep_case)));
+    for (const SweepCase* sweep_case : done) values.push_back(number_or_null(column.value(*sweep_case)));
     if (std::ranges::all_of(values, [](const ChartData& value) { return value.is_null(); })) continue;
     data["columns"].push_back(
         {{"name", column.heading}, {"higher_is_better", column.higher_is_better}, {"values", values}});
