@@ -66,10 +66,12 @@ void VariantOptions::add_to(CLI::App& command) {
   }
 }
 
-Variant VariantOptions::resolve(const Scene& scene) const {
+Variant VariantOptions::resolve(const Scene& scene, const std::string& kernel_folder) const {
   Variant resolved;
   if (scene.model.contact == ContactModel::simple) resolved.set("contact", "simple");
   if (variant) resolved = Variant::parse(*variant);
+  const bool names_model = variant && variant->find("/model=") != std::string::npos;
+  if (!kernel_folder.empty() && !names_model) resolved.set("model", "full");
   for (std::size_t a = 0; a < n_axes; ++a)
     if (values[a]) resolved.set(axes()[a].name, *values[a]);
   return resolved;

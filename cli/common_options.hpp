@@ -59,7 +59,8 @@ struct VariantOptions {
 
   void add_to(CLI::App& command);
   // Without a contact law in the call the scene's model decides: a scene of the simple model runs `simple`.
-  Variant resolve(const Scene& scene) const;
+  // Kernels of a folder (--kernels) have the full model unless the call says otherwise.
+  Variant resolve(const Scene& scene, const std::string& kernel_folder) const;
 };
 
 struct DeviceOptions {

@@ -64,7 +64,7 @@ std::vector<std::string> marked_call(const Options& options, const Scene* scene,
 
 reports::MeasuredReport measured_scene(Options& options) {
   const Scene scene = options.scene.load();
-  const Variant variant = options.variant.resolve(scene);
+  const Variant variant = options.variant.resolve(scene, options.device.kernels);
   if (options.counters && options.step.backend != "cuda")
     throw_input_error("--counters", fmt::format("--backend {}", options.step.backend),
                       "--backend cuda: Nsight Compute counts no other");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "cli/modelled_parts.hpp"
 #include "cli/output.hpp"
 #include "variants/cuda_driver.hpp"
 
@@ -59,6 +60,7 @@ reports::MeasuredReport measure_scene(const Scene& scene, const Variant& variant
   report.backend = chosen.name;
   report.scene = scene.name;
   report.variant = variant.name();
+  report.model = modelled_parts(scene, variant, what.backend);
   report.particles = scene.particles.size();
   {
     BackendOptions untimed = what.options;

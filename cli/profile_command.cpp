@@ -9,6 +9,7 @@
 #include "cli/app.hpp"
 #include "cli/common_options.hpp"
 #include "cli/help_text.hpp"
+#include "cli/modelled_parts.hpp"
 #include "cli/output.hpp"
 #include "cli/profile_options.hpp"
 #include "cli/run_loop.hpp"
@@ -35,6 +36,7 @@ struct Options {
   std::uint64_t at_step = 0;
   std::string html;
   std::string export_folder;
+  bool against_full = false;
 };
 
 // The PTX goes beside the JSON.
@@ -56,13 +58,18 @@ reports::Report profile_launch_file(const Options& options, const profiler::Prof
 reports::Report profile_scene(const Options& options, const profiler::ProfileOptions& how,
                               Progress& progress) {
   const Scene scene = options.scene.load();
-  const Variant variant = options.variant.resolve(scene);
+  const Variant variant = options.variant.resolve(scene, options.device.kernels);
   const Scene at_step = advanced(scene, variant, options.device.backend_options(), options.at_step, progress);
   const auto launches =
       profile_step(at_step, variant, how, options.device.backend_options(), options.export_folder);
   reports::Report report = report_of(launches, options);
   report.scene = scene.name;
   report.variant = variant.name();
+  report.model = modelled_parts(at_step, variant, "simt");
+  if (options.against_full)
+    report.model.against_full = profile_savings(
+        at_step, variant, launches,
+        profile_step(at_step, with_full_model(variant), how, options.device.backend_options()));
   report.particles = scene.particles.size();
   report.step = options.at_step;
   return report;
@@ -75,6 +82,9 @@ int profile(const Options& options) {
     throw_input_error("warpgrain profile",
                       options.launch.empty() ? "nothing to profile" : "both a launch file and --scene",
                       "either a launch file (.sim) or --scene FILE|NAME");
+  if (options.against_full && options.scene.scene.empty())
+    throw_input_error("--against-full", "a launch file",
+                      "a scene: the model is that of the built-in kernels");
   if (!options.export_folder.empty()) make_folder(options.export_folder);
   const auto machine = options.simulator.load_machine();  // before the run: a wrong name costs nothing
   reports::Report report =
@@ -101,6 +111,7 @@ void add_profile_command(CLI::App& app, Action& chosen) {
   add_option(command, "--at-step", options->at_step);
   add_option(command, "--html", options->html);
   add_option(command, "--export", options->export_folder);
+  add_flag(command, "--against-full", options->against_full);
   options->simulator.add_to(command);
   options->variant.add_to(command);
   options->device.add_to(command);

@@ -1,5 +1,7 @@
 // `warpgrain run`: simulates a scene; timings, energies, contacts, the final state.
 
+#include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <fmt/format.h>
 #include <iostream>
@@ -9,6 +11,7 @@
 #include "cli/app.hpp"
 #include "cli/common_options.hpp"
 #include "cli/help_text.hpp"
+#include "cli/modelled_parts.hpp"
 #include "cli/output.hpp"
 #include "cli/run_loop.hpp"
 #include "core/run_monitor.hpp"
@@ -30,6 +33,7 @@ struct RunOptions {
   std::string backend = "opencl";
   std::optional<std::uint64_t> steps;
   bool until_rest = false;
+  bool against_full = false;
   std::uint64_t sample_every = 0;
   std::string state_file, vtk_folder;
 };
@@ -42,10 +46,30 @@ RunGoal requested_goal(const RunOptions& options, const Scene& scene) {
   return goal;
 }
 
+// The same steps with the full model: how long they take, and where the particles are in the end.
+void run_full_model(const Scene& scene, const Variant& variant, const RunOptions& options,
+                    const Simulation& simulation, reports::RunReport& report) {
+  const auto full =
+      backend(options.backend)
+          .create(scene, with_full_model(variant), options.device.backend_options(options.backend));
+  const auto begin = std::chrono::steady_clock::now();
+  full->step(report.steps);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const auto steps = static_cast<double>(report.steps);
+  report.model.against_full.push_back({"seconds a step", report.wall_seconds / steps, seconds / steps});
+  if (report.model.device_bytes_per_particle)
+    report.model.against_full.push_back(memory_saving(scene, variant));
+  const ParticleState here = simulation.state(), there = full->state();
+  double farthest = 0;
+  for (std::size_t k = 0; k < here.size(); ++k)
+    farthest = std::max(farthest, (here.position[k] - there.position[k]).norm());
+  report.model.position_difference = farthest;
+}
+
 int run(const RunOptions& options) {
   const Backend& chosen_backend = backend(options.backend);
   Scene scene = options.scene.load();
-  const Variant variant = options.variant.resolve(scene);
+  const Variant variant = options.variant.resolve(scene, options.device.kernels);
   scene.model.contact = contact_law(variant).model;  // whose energies are reported
   const TimeStepLimits limits = time_step_limits(scene);
   if (const std::string warning = time_step_warning(scene.time_step, limits); !warning.empty())
@@ -61,6 +85,7 @@ int run(const RunOptions& options) {
   report.variant = variant.name();
   report.backend = chosen_backend.name;
   report.device = simulation->device();
+  report.model = modelled_parts(scene, variant, chosen_backend.name);
   report.particles = scene.particles.size();
   report.time_step = scene.time_step;
   RunMonitor monitor(scene);
@@ -89,6 +114,8 @@ int run(const RunOptions& options) {
   for (const KernelTiming& timing : simulation->timings())
     report.kernels.push_back({timing.kernel, timing.calls, timing.seconds});
 
+  if (options.against_full && report.steps > 0) run_full_model(scene, variant, options, *simulation, report);
+
   if (!options.state_file.empty()) write_state_file(options.state_file, simulation->state());
   if (!options.output.json.empty()) write_output(options.output.json, reports::run_json(report));
   if (options.output.summary())
@@ -112,6 +139,7 @@ void add_run_command(CLI::App& app, Action& chosen) {
   CLI::Option* steps = add_option(command, "--steps", options->steps);
   add_flag(command, "--until-rest", options->until_rest)->excludes(steps);
   add_option(command, "--sample-every", options->sample_every);
+  add_flag(command, "--against-full", options->against_full);
   add_option(command, "--state", options->state_file);
   add_option(command, "--vtk", options->vtk_folder);
   options->variant.add_to(command);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "analysis/force_error.hpp"
+#include "cli/modelled_parts.hpp"
 #include "cli/output.hpp"
 #include "cli/step_timing.hpp"
 #include "cli/sweep_plan.hpp"
@@ -59,6 +60,7 @@ ProfiledCase profile_case(const SweepSetting& setting, const Variant& variant) {
   report.machine = setting.machine;
   report.scene = setting.scene.name;
   report.variant = variant.name();
+  report.model = modelled_parts(setting.scene, variant, "simt");
   report.particles = setting.scene.particles.size();
   report.step = setting.at_step;
   ProfiledCase result{file_stem(variant) + ".report.json", reports::headline_of(reports::kernels_of(report))};

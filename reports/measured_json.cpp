@@ -4,6 +4,7 @@
 #include "reports/json_fields.hpp"
 #include "reports/json_text.hpp"
 #include "reports/measured_report.hpp"
+#include "reports/modelled_parts_json.hpp"
 
 namespace warpgrain::reports {
 namespace {
@@ -103,6 +104,7 @@ std::string measured_json(const MeasuredReport& measured) {
   json["device"]["driver"] = measured.device.driver;
   if (measured.scene) json["scene"] = *measured.scene;
   if (measured.variant) json["variant"] = *measured.variant;
+  add_modelled_parts(json, measured.model);
   if (measured.particles) json["particles"] = *measured.particles;
   if (measured.step)
     json["step"] = {{"steps", measured.step->steps}, {"seconds", seconds_json(measured.step->seconds)}};
@@ -122,6 +124,7 @@ MeasuredReport read_measured(const std::filesystem::path& file) {
                      device.at("driver").string()};
   measured.scene = optional_string(root, "scene");
   measured.variant = optional_string(root, "variant");
+  measured.model = modelled_parts_from(root);
   measured.particles = optional_whole_number(root, "particles");
   if (const auto step = root.maybe("step"))
     measured.step = {step->at("steps").whole_number(), seconds_from(step->at("seconds"))};

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "reports/generator.hpp"
+#include "reports/modelled_parts.hpp"
 
 namespace warpgrain::reports {
 
@@ -59,6 +60,7 @@ struct MeasuredReport {
   std::string backend;
   Device device;
   std::optional<std::string> scene, variant;
+  ModelledParts model;
   std::optional<std::uint64_t> particles;
   std::optional<Step> step;
   std::vector<Kernel> kernels;

@@ -14,6 +14,7 @@
 #include "analysis/machine.hpp"
 #include "profiler/profile.hpp"
 #include "reports/generator.hpp"
+#include "reports/modelled_parts.hpp"
 #include "reports/source_text.hpp"
 
 namespace warpgrain::reports {
@@ -37,6 +38,7 @@ struct Report {
   std::string command_line;            // as it was called
   std::optional<std::string> scene;    // name; none for a launch file
   std::optional<std::string> variant;  // branchy/cells/cell/fp32/default
+  ModelledParts model;                 // of a scene's kernels
   std::optional<std::uint64_t> particles;
   std::optional<std::uint64_t> step;  // the time step that was profiled, 0 = the first
   std::optional<Machine> machine;     // where one was asked for

@@ -13,6 +13,7 @@
 #include "reports/diagnostics_json.hpp"
 #include "reports/json_fields.hpp"
 #include "reports/json_text.hpp"
+#include "reports/modelled_parts_json.hpp"
 #include "reports/predicted_times.hpp"
 #include "reports/replay_json.hpp"
 
@@ -183,6 +184,7 @@ std::string report_json(const Report& report) {
   Json json = document_head(report_format, report.generator, report.command_line);
   if (report.scene) json["scene"] = *report.scene;
   if (report.variant) json["variant"] = *report.variant;
+  add_modelled_parts(json, report.model);
   if (report.particles) json["particles"] = *report.particles;
   if (report.step) json["step"] = *report.step;
   if (report.machine) json["machine"] = machine_json(*report.machine);
@@ -202,7 +204,8 @@ Report read_report(const std::filesystem::path& file) {
   report.generator = generator_from(root);
   report.command_line = root.at("command_line").string();
   report.scene = optional_string(root, "scene");
-  report.variant = optional_string(root, "variant");
+  if (root.maybe("variant")) report.variant = variant_from(root);
+  report.model = modelled_parts_from(root);
   report.particles = optional_whole_number(root, "particles");
   report.step = optional_whole_number(root, "step");
   if (const auto machine = root.maybe("machine")) report.machine = machine_from(*machine);

@@ -3,6 +3,7 @@
 
 #include "reports/json_fields.hpp"
 #include "reports/json_text.hpp"
+#include "reports/modelled_parts_json.hpp"
 #include "reports/run_report.hpp"
 
 namespace warpgrain::reports {
@@ -51,6 +52,7 @@ std::string run_json(const RunReport& run) {
   json["variant"] = run.variant;
   json["backend"] = run.backend;
   json["device"] = run.device;
+  add_modelled_parts(json, run.model);
   json["particles"] = run.particles;
   json["steps"] = run.steps;
   json["time_step"] = run.time_step;
@@ -71,7 +73,8 @@ RunReport read_run(const std::filesystem::path& file) {
   run.generator = generator_from(root);
   run.command_line = root.at("command_line").string();
   run.scene = root.at("scene").string();
-  run.variant = root.at("variant").string();
+  run.variant = variant_from(root);
+  run.model = modelled_parts_from(root);
   run.backend = root.at("backend").string();
   run.device = root.at("device").string();
   run.particles = root.at("particles").whole_number();

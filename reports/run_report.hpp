@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "reports/generator.hpp"
+#include "reports/modelled_parts.hpp"
 
 namespace warpgrain::reports {
 
@@ -38,6 +39,7 @@ struct RunReport {
   std::string command_line;
   std::string scene, variant, backend;
   std::string device;  // as it calls itself
+  ModelledParts model;
   std::uint64_t particles = 0;
   std::uint64_t steps = 0;
   double time_step = 0;  // s

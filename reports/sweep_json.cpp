@@ -3,6 +3,7 @@
 
 #include "reports/json_fields.hpp"
 #include "reports/json_text.hpp"
+#include "reports/modelled_parts_json.hpp"
 #include "reports/sweep_index.hpp"
 
 namespace warpgrain::reports {
@@ -77,7 +78,7 @@ Json to_json(const SweepCase& sweep_case) {
 
 SweepCase case_from(const JsonReader& place) {
   SweepCase sweep_case;
-  sweep_case.variant = place.at("variant").string();
+  sweep_case.variant = variant_of_case_from(place);
   const JsonReader axes = place.at("axes");
   for (const std::string& axis : axes.keys()) sweep_case.axes[axis] = axes.at(axis).string();
   sweep_case.status = static_cast<CaseStatus>(place.at("status").one_of(status_names, "status"));

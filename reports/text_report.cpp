@@ -159,6 +159,7 @@ std::string text_report(const Report& report, const TextReportOptions& options) 
   const std::vector<KernelSummary> kernels = kernels_of(report);
   std::string text = title_of(report) + "\n\n" + kernel_table(report, kernels);
   for (const std::string& line : weights_lines(report)) text += fmt::format("instructions: {}\n", line);
+  text += text_modelled_parts(report.model);
   if (report.machine) text += sfu_table(*report.machine, kernels);
   text += predicted_table(report, kernels);
   for (std::size_t k = 0; k < std::min(kernels.size(), options.kernels); ++k) {

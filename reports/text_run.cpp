@@ -47,6 +47,7 @@ std::string text_run(const RunReport& run) {
                       run.particle_steps_per_second() * 1e-6,
                       run.ended_by == RunEndReason::at_rest ? "; ends at rest" : "");
   text += fmt::format("{} contacts at the end\n", count_text(run.contacts));
+  text += text_modelled_parts(run.model);
   if (!run.energy.empty()) text.append("\n").append(energy_table(run));
   if (!run.kernels.empty()) text.append("\n").append(kernel_table(run));
   return text;

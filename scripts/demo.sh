@@ -14,4 +14,4 @@ scripts/install_dependencies.sh
 cmake --preset release
 cmake --build --preset release --parallel "$(nproc)" --target warpgrain
 exec build/release/cli/warpgrain sweep --scene slit --particles 16384 --at-step 6000 --axis contact=simple,branchy \
-  --axis order=unsorted,cell --axis precision=fp32,fp64 --weights ptx --out out/demo "$@"
+  --axis order=unsorted,cell --axis precision=fp32,fp64 --axis model=full --weights ptx --out out/demo "$@"

@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "kernels/layout.h"
 #include "variants/combinations.hpp"
+#include "variants/models.hpp"
 
 namespace warpgrain {
 namespace {
@@ -42,6 +43,9 @@ DeviceSimulation::DeviceSimulation(const Scene& scene, const Variant& variant, c
       material_(scene.particles.material),
       ranks_by_id_(id_.size()) {
   require_sensible(variant);
+  if (!options.kernel_folder.empty() && !model_of(variant).is_full)
+    throw_input_error("--kernels with --model needed",
+                      "what a scene can do without is known of the built-in kernels alone", "--model full");
   std::iota(ranks_by_id_.begin(), ranks_by_id_.end(), 0u);
   std::ranges::sort(ranks_by_id_, {}, [this](std::uint32_t rank) { return id_[rank]; });
   DeviceScene layout = lay_out(scene, variant);

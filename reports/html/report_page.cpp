@@ -34,6 +34,7 @@ std::string report_page(const Report& report) {
       "<h1>{}</h1>\n<p class=\"soft\">SIMT divergence report</p>\n{}{}", html::escape(title),
       html::diagnostics_view(report) + html::headline_view(kernels), html::kernels_view(report, kernels));
   body += html::machine_view(report, kernels);
+  body += html::model_view(report.model);
   body += "<h2>Kernel by kernel</h2>\n";
   const std::uint64_t all_instructions = headline_of(kernels).warp_instructions;
   for (const KernelSummary& kernel : kernels)

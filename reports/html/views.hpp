@@ -40,6 +40,9 @@ std::string lanes_bars(const std::vector<std::uint64_t>& lane_histogram);
 // What the special-function units cost on the report's machine; empty without one.
 std::string machine_view(const Report& report, const std::vector<KernelSummary>& kernels);
 
+// Which parts of the model the kernels have, and what that saves; empty for a launch file.
+std::string model_view(const ModelledParts& parts);
+
 std::string instruction_mix_view(const profiler::Totals& totals);
 
 // Where the numbers come from and what they do not say.

@@ -90,11 +90,22 @@ profiler::LaunchProfile launch(const std::string& kernel) {
   return profile;
 }
 
+ModelledParts modelled() {
+  ModelledParts parts;
+  parts.features = {{"friction", true, true, "tangential forces of some pair"},
+                    {"gravity", false, false, "zero"},
+                    {"radii", false, true, "all particles have one"}};
+  parts.device_bytes_per_particle = 96.5;
+  parts.against_full = {{"warp instructions a particle and step", 60, 80}};
+  return parts;
+}
+
 Report report() {
   const std::vector launches{launch("sort"), launch("force"), launch("force")};
   Report r = make_report(launches, "warpgrain profile --scene <slit>");
   r.scene = "slit";
   r.variant = "branchy/cells/cell/fp32/default";
+  r.model = modelled();
   r.particles = 16384;
   r.step = 4000;
   r.machine = load_machine("fermi_c2050");
@@ -108,6 +119,8 @@ RunReport run() {
   r.command_line = "warpgrain run --scene slit";
   r.scene = "slit";
   r.variant = "simple/cells/cell/fp32/default";
+  r.model = modelled();
+  r.model.position_difference = 1.5e-9;
   r.backend = "opencl";
   r.device = "pthread-device";
   r.particles = 1000;
@@ -129,6 +142,7 @@ MeasuredReport measured() {
   m.device = {"NVIDIA H100", "sm_90", "580.1, CUDA 13.0"};
   m.scene = "slit";
   m.variant = "simple/cells/cell/fp32/default";
+  m.model = modelled();
   m.particles = 1000;
   m.step = {16, {1e-3, 1.5e-3, 1.25e-3}};
   MeasuredReport::Kernel kernel;
@@ -154,7 +168,7 @@ SweepIndex sweep() {
   index.step = 4000;
   SweepCase done;
   done.variant = "branchy/cells/cell/fp32/default";
-  done.axes = {{"contact", "branchy"}, {"search", "cells"}, {"order", "cell"}};
+  done.axes = {{"contact", "branchy"}, {"search", "cells"}, {"order", "cell"}, {"model", "needed"}};
   done.report_file = "branchy_cells_cell_fp32_default.json";
   done.headline = headline_of(kernels_of(report()));
   done.backends = {
@@ -166,7 +180,7 @@ SweepIndex sweep() {
       {.backend = "simt", .device = "simulator", .steps = 1, .seconds_per_step = {}, .force_error = {}}};
   SweepCase failed;
   failed.variant = "branchy/cells/unsorted/fp32/default";
-  failed.axes = {{"contact", "branchy"}, {"search", "cells"}, {"order", "unsorted"}};
+  failed.axes = {{"contact", "branchy"}, {"search", "cells"}, {"order", "unsorted"}, {"model", "needed"}};
   failed.status = CaseStatus::failed;
   failed.message = "step 12: particle 7 left the domain";
   index.cases = {done, failed};

@@ -17,6 +17,7 @@ profiler::Totals totals(std::uint64_t full, std::uint64_t half);
 // One launch of `kernel` over 8 work-items: two warps.
 profiler::LaunchProfile launch(const std::string& kernel);
 
+ModelledParts modelled();
 Report report();  // of two launches of "force" and one of "sort"
 RunReport run();
 MeasuredReport measured();  // a step and its one kernel

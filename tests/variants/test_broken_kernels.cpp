@@ -29,7 +29,8 @@ class BrokenKernels : public testing::TestWithParam<const char*> {
     BackendOptions options;
     options.kernel_folder = folder_.string();
     try {
-      backend(GetParam()).create(random_bed({.n_particles = 10}), Variant(), options);
+      backend(GetParam())
+          .create(random_bed({.n_particles = 10}), Variant::parse(Variant().name() + "/model=full"), options);
     } catch (const InputError& e) {
       return e.what();
     }
