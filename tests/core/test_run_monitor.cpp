@@ -12,7 +12,7 @@ namespace {
 
 using testing::HasSubstr;
 
-Scene two_spheres() { return head_on_impact(2, R"("restitution": 0.8, "friction": 0.5)").scene(); }
+Scene touching_pair() { return head_on_impact(2, R"("restitution": 0.8, "friction": 0.5)").scene(); }
 
 std::string refusal_of(const Scene& scene, const ParticleState& state) {
   RunMonitor monitor(scene);
@@ -26,7 +26,7 @@ std::string refusal_of(const Scene& scene, const ParticleState& state) {
 }
 
 TEST(RunMonitor, SaysNothingOfACollision) {
-  Scene scene = two_spheres();
+  Scene scene = touching_pair();
   scene.time_step = 1e-5;
   RunMonitor monitor(scene);
   ReferenceSolver<double> solver(scene, {.threads = 1});
@@ -38,7 +38,7 @@ TEST(RunMonitor, SaysNothingOfACollision) {
 }
 
 TEST(RunMonitor, NamesWhatIsNoNumberAndWhatIsLost) {
-  const Scene scene = two_spheres();
+  const Scene scene = touching_pair();
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   ParticleState state = scene.particles;
   state.angular_velocity[1].y() = nan;
@@ -54,7 +54,7 @@ TEST(RunMonitor, NamesWhatIsNoNumberAndWhatIsLost) {
 }
 
 TEST(RunMonitor, WarnsOfADeepOverlapOnceAndRefusesAComplete) {
-  const Scene scene = two_spheres();
+  const Scene scene = touching_pair();
   MonitorLimits limits;
   limits.energy_error = limits.energy_warning = 1e300;
   RunMonitor monitor(scene, limits);
@@ -69,7 +69,7 @@ TEST(RunMonitor, WarnsOfADeepOverlapOnceAndRefusesAComplete) {
 }
 
 TEST(RunMonitor, SeesEnergyThatNothingHasGiven) {
-  const Scene scene = two_spheres();
+  const Scene scene = touching_pair();
   RunMonitor monitor(scene);
   monitor.look(0, scene.particles);
   ParticleState state = scene.particles;

@@ -31,7 +31,7 @@ struct Approximation {
   double h100;            // the largest error of an H100 [2^-24]: reports/measured/h100-approximations.json
 };
 
-std::string kernel_of(const std::string& code) {
+std::string module_of(const std::string& code) {
   return with_displaced_approximations(R"(.version 7.5
 .target sm_70
 .address_size 64
@@ -46,7 +46,7 @@ ld.global.f32 %x, [%in]; ld.global.f32 %b, [%in+4];
 
 std::vector<float> results(const std::string& code, std::vector<std::array<float, 2>> inputs) {
   std::vector<float> out(inputs.size());
-  const auto executable = Executable::compile(kernel_of(code), "k", TraceMode::blocks, "k.ptx");
+  const auto executable = Executable::compile(module_of(code), "k", TraceMode::blocks, "k.ptx");
   run_launch(*executable, line_of(inputs.size(), 1), {buffer_of(inputs), buffer_of(out)});
   return out;
 }

@@ -157,9 +157,9 @@ TEST(SceneFeatures, FullModelHasAll) {
 }
 
 TEST(SceneFeatures, KernelsOfAFolderHaveTheFullModel) {
-  EXPECT_THROW(
-      backend("opencl").create(changed_bed({}), {}, {.device = {}, .threads = 0, .kernel_folder = "."}),
-      InputError);
+  BackendOptions how;
+  how.kernel_folder = ".";
+  EXPECT_THROW(backend("opencl").create(changed_bed({}), {}, how), InputError);
 }
 
 void expect_same(const Scene& scene, const Variant& variant, const Backend& on, std::uint64_t steps) {
