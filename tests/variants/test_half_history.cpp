@@ -89,8 +89,8 @@ TEST(HalfHistory, ADisplacementBeyondHalvesIsSaid) {
                 Vector3d::UnitZ(), Vector3d::Zero(), Vector3d::Zero()}};
   bed.particles.velocity[0].setZero();
   bed.particles.angular_velocity[0] = {0.1 / bed.time_step, 0, 0};
-  bed.contacts.set(0, 0, {1, 1, 0, 0});
-  bed.contacts.set(1, 0, {1, 1, 0, 0});
+  bed.contacts.set(0, 0, {1, 1, 0, 1e-9});  // without friction nothing would be remembered
+  bed.contacts.set(1, 0, {1, 1, 0, 1e-9});
   EXPECT_THAT(message_of_half(bed, 100),
               HasSubstr("has a tangential displacement too large for half precision"));
 }
