@@ -188,13 +188,14 @@ struct Omission {
 };
 
 class Omissions : public testing::TestWithParam<Omission> {};
+class OmissionsSimulated : public Omissions {};
 
 // Bit by bit: division rounds as IEEE 754 has it on CPUs. Spins of the bed are not zero: where rotation is
 // left out they stay.
 TEST_P(Omissions, ChangeNoBitOnOpenCl) {
   expect_same(changed_bed(GetParam().changes), Variant::parse(GetParam().variant), backend("opencl"), 12);
 }
-TEST_P(Omissions, ChangeNoBitInTheSimulator) {
+TEST_P(OmissionsSimulated, ChangeNoBit) {
   if (const std::string lacks = backend("simt").lacks(); !lacks.empty()) GTEST_SKIP() << lacks;
   expect_same(changed_bed(GetParam().changes, 60), Variant::parse(GetParam().variant), backend("simt"), 3);
 }
@@ -218,6 +219,16 @@ INSTANTIATE_TEST_SUITE_P(
         Omission{"shear", {without_shear}, "simple/cells/cell/fp32/default"},
         Omission{"all", {smallest}, "branchy/half_shell/cell/fp32/default"},
         Omission{"all_of_simple", {smallest, without_shear}, "simple/half_shell/cell/mixed/default"}),
+    [](const auto& parameter) { return std::string(parameter.param.name); });
+
+// The simulator runs the same kernels.
+INSTANTIATE_TEST_SUITE_P(
+    Parts, OmissionsSimulated,
+    testing::Values(
+        Omission{"friction", {without_friction}, "branchy/two_phase/cell/fp32/default"},
+        Omission{"materials", {of_one_pair}, "branchy/contact_list/cell/mixed/default"},
+        Omission{"rectangles", {planes_alone}, "branchless/two_phase/morton/fp32/default/sort=counting"},
+        Omission{"all", {smallest}, "branchy/half_shell/cell/fp32/default"}),
     [](const auto& parameter) { return std::string(parameter.param.name); });
 
 // Random combinations, laws and searches against the double reference, within the variants' bounds.
