@@ -14,8 +14,8 @@ struct LaunchMeasurement {
   std::string keep;                  // folder for what was assembled; empty: none
   unsigned warm_up = 3, repeats = 20;
   unsigned in_a_row = 1;  // launches of a reading
-  bool check = false;  // hold the buffers against the simulator's
-  bool mark = false;   // run once more, for a profiler
+  bool check = false;     // hold the buffers against the simulator's
+  bool mark = false;      // run once more, for a profiler
 };
 
 // Prints the dumped arguments to stdout. Throws InputError for a launch that cannot be run there.

@@ -39,7 +39,9 @@ struct RecordOptions {
 };
 
 void check(const RecordOptions& options) {
-  if (options.settings.every == 0) throw_input_error("--every", "0", "a number above 0");
+  const RecordSettings& settings = options.settings;
+  for (const auto& [option, value] : {std::pair{"--first", settings.first}, {"--every", settings.every}})
+    if (value == 0) throw_input_error(option, "0", "a number above 0");
   if (options.memory > std::uint64_t{1} << 40)
     throw_input_error("--memory", fmt::format("{} MiB", options.memory), "at most 2^40 MiB");
   if (!options.save.empty() && std::filesystem::exists(std::filesystem::path(options.save) / record_index))

@@ -118,6 +118,7 @@ TEST_F(Record, RefusesWhatCannotRun) {
   program_[0] = path("nowhere");
   EXPECT_EQ(record({}), 2);
   EXPECT_EQ(error_lines(), 1U) << err_;
+  EXPECT_EQ(call({"record", "--first", "0", "--", "true"}), 2);
   EXPECT_EQ(call({"record", "--every", "0", "--", "true"}), 2);
 }
 
