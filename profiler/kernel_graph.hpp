@@ -58,7 +58,8 @@ struct Instruction {
 };
 
 // One address that a lane records when it runs the block, in the order of execution. Only global, shared,
-// generic and atomic accesses are recorded; parameters, constants and local memory are not.
+// generic and atomic accesses are recorded; parameters, constants and local memory are not. Beside them the
+// path that a division of doubles takes (sass/recorded_paths.hpp), as an access of 0 bytes.
 struct MemoryAccess {
   std::uint32_t instruction = 0;  // index into BasicBlock::instructions
   InstructionClass access = InstructionClass::global_load;
