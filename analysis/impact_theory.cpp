@@ -15,6 +15,20 @@ HertzImpact hertz_impact(double normal_parameter, double effective_radius, doubl
   return impact;
 }
 
+double hertz_force(const HertzImpact& impact, double time) {
+  if (!(time > 0 && time < impact.duration)) return 0;
+  constexpr int steps = 2000;  // leaves 1e-7
+  const double step = 2.9432 * time / impact.duration / steps;
+  const auto acceleration = [](double x) { return x > 0 ? -1.25 * x * std::sqrt(x) : 0.0; };
+  double x = 0, speed = 1;
+  for (int k = 0; k < steps; ++k) {
+    speed += step / 2 * acceleration(x);
+    x += step * speed;
+    speed += step / 2 * acceleration(x);
+  }
+  return x > 0 ? impact.largest_force * x * std::sqrt(x) : 0;
+}
+
 double hertz_overlap(double normal_parameter, double effective_radius, double force) {
   return std::pow(force / (normal_parameter * std::sqrt(effective_radius)), 2.0 / 3);
 }

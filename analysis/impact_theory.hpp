@@ -13,6 +13,10 @@ struct HertzImpact {
 HertzImpact hertz_impact(double normal_parameter, double effective_radius, double effective_mass,
                          double speed);
 
+// The force of that impact `time` [s] after it began [N]; 0 before and after. There is no closed form of it:
+// x'' = -5/4 x^1.5 in units of the largest overlap and of that over v, integrated.
+double hertz_force(const HertzImpact& impact, double time);
+
 // The overlap at which a Hertz contact carries `force` [N]: (force / C)^(2/3) [m].
 double hertz_overlap(double normal_parameter, double effective_radius, double force);
 

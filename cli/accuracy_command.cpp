@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,9 @@ struct AccuracyOptions {
   DeviceOptions device;
   OutputOptions output;
   std::string study = "variants";
+  std::string cost{reports::cost_names.front()}, machine;
+  std::vector<std::string> measured;
+  std::optional<std::uint64_t> cost_particles;
   bool markdown = false, simulate = false;
 
   bool has(std::string_view level) const { return std::ranges::find(levels, level) != levels.end(); }
@@ -56,6 +60,12 @@ void require_sensible_options(const AccuracyOptions& options) {
       throw_unknown_name("--level", "level", level, level_names);
   if (std::ranges::find(study_names, options.study) == study_names.end())
     throw_unknown_name("--study", "study", options.study, study_names);
+  if (std::ranges::find(reports::cost_names, options.cost) == reports::cost_names.end())
+    throw_unknown_name("--cost", "cost", options.cost, reports::cost_names);
+  if (options.cost == "predicted_seconds" && options.machine.empty())
+    throw_input_error("--cost", "predicted_seconds without --machine", "a machine to predict for");
+  if (options.cost == "measured_seconds" && options.measured.empty())
+    throw_input_error("--cost", "measured_seconds without --measured", "documents of `warpgrain measure`");
   for (const double factor : options.step_factors)
     if (!(factor >= 0.01 && factor <= 100))
       throw_input_error("--step-factor", fmt::format("{}", factor), "0.01 to 100");
@@ -77,7 +87,11 @@ std::vector<AccuracyCase> cases_of(const AccuracyOptions& options, const std::ve
 class AccuracyStudy {
  public:
   explicit AccuracyStudy(const AccuracyOptions& options)
-      : options_(options), progress_(options.output.quiet) {
+      : options_(options), progress_(options.output.quiet), measured_(options.measured) {
+    if (!options.machine.empty()) setting_.machine = load_machine(options.machine);
+    if (options.cost == "predicted_seconds" && !setting_.machine->cost)
+      throw_input_error("--machine", fmt::format("{} has no cost constants", options.machine),
+                        "a machine that has, as hopper_h100");
     cases_ = cases_of(options, variants_that_compute_differently());
     SceneOptions chosen = options.scene;
     if (chosen.scene.empty()) {
@@ -85,6 +99,8 @@ class AccuracyStudy {
       if (!chosen.particles) chosen.particles = default_particles;
     }
     setting_.scene = chosen.load();
+    larger_ = chosen;
+    larger_.particles = options.cost_particles;
     setting_.backend = options.device.backend_options();
     setting_.divergence_steps = options.trajectory_steps;
     setting_.timed_steps = options.timed_steps;
@@ -92,6 +108,9 @@ class AccuracyStudy {
 
   reports::AccuracyReport run() {
     setting_.at_step = advanced(setting_.scene, Variant{}, setting_.backend, options_.at_step, progress_);
+    setting_.costed = options_.cost_particles
+                          ? advanced(larger_.load(), Variant{}, setting_.backend, options_.at_step, progress_)
+                          : setting_.at_step;
     prepare_references();
     reports::AccuracyReport report;
     report.generator = reports::this_generator();
@@ -101,6 +120,10 @@ class AccuracyStudy {
     report.step = options_.at_step;
     report.time_step = setting_.scene.time_step;
     report.seeds = options_.has("ensemble") ? options_.seeds : 0;
+    report.cost = options_.cost;
+    report.cost_particles = setting_.costed.particles.size();
+    if (setting_.machine) report.machine = setting_.machine->name;
+    report.measured = measured_.of_what();
     for (const AccuracyCase& which : cases_) report.cases.push_back(study(which));
     progress_.clear();
     reports::rank_cases(report);
@@ -138,6 +161,8 @@ class AccuracyStudy {
       row.warp_instructions = cost.warp_instructions;
       row.bytes = cost.bytes;
       row.seconds = cost.seconds;
+      row.predicted_seconds = cost.predicted_seconds;
+      row.measured_seconds = measured_.seconds(which.variant);
       say("forces");
       if (options_.has("force")) row.force = force_level(which);
       say("collisions");
@@ -188,7 +213,9 @@ class AccuracyStudy {
 
   const AccuracyOptions& options_;
   Progress progress_;
+  MeasuredSteps measured_;
   AccuracySetting setting_;
+  SceneOptions larger_;  // of which costs are counted, where that is another
   std::vector<AccuracyCase> cases_;
   std::size_t done_ = 0;
   ForceState forces_;
@@ -230,6 +257,10 @@ void add_accuracy_command(CLI::App& app, Action& chosen) {
   add_flag(command, "--markdown", options->markdown);
   add_option(command, "--axis", options->axis);
   add_flag(command, "--simulate", options->simulate);
+  add_option(command, "--cost", options->cost);
+  add_option(command, "--cost-particles", options->cost_particles);
+  add_option(command, "--machine", options->machine);
+  add_option(command, "--measured", options->measured)->delimiter(',');
   add_option(command, "--level", options->levels)->delimiter(',');
   add_option(command, "--step-factor", options->step_factors)->delimiter(',');
   add_option(command, "--at-step", options->at_step);

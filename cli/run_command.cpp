@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "cli/app.hpp"
@@ -21,6 +22,7 @@
 #include "reports/text_run.hpp"
 #include "reports/vtk_file.hpp"
 #include "variants/contact_laws.hpp"
+#include "variants/step_arithmetic.hpp"
 
 namespace warpgrain::cli {
 namespace {
@@ -72,6 +74,12 @@ int run(const RunOptions& options) {
   const Variant variant = options.variant.resolve(scene, options.device.kernels);
   scene.model.contact = contact_law(variant).model;  // whose energies are reported
   const TimeStepLimits limits = time_step_limits(scene);
+  std::optional<TimeStepAdvice> advice;
+  if (scene.time_step_is_auto) {
+    advice = advise_time_step(scene, limits, step_arithmetic(scene, variant));
+    scene.time_step = advice->step;
+    if (!advice->is_right) warn_of({advice->reason});
+  }
   if (const std::string warning = time_step_warning(scene.time_step, limits); !warning.empty())
     warn_of({warning});
   if (!options.vtk_folder.empty()) make_folder(options.vtk_folder);
@@ -123,9 +131,8 @@ int run(const RunOptions& options) {
         << reports::text_run(report)
         << fmt::format(
                "\ntime step {:.3g} s{}; Rayleigh time {:.3g} s, Hertz contact time {:.3g} s at {:.3g} m/s\n",
-               scene.time_step,
-               scene.time_step_is_auto ? ", " + advise_time_step(scene, limits).reason : std::string(),
-               limits.rayleigh_time, limits.hertz_contact_time, limits.impact_speed);
+               scene.time_step, advice ? ", " + advice->reason : std::string(), limits.rayleigh_time,
+               limits.hertz_contact_time, limits.impact_speed);
   return 0;
 }
 

@@ -39,9 +39,17 @@ StabilityReport::Sample sample_at(const Probe& probe, const ProbeBench& bench, d
 }  // namespace
 
 StabilityReport::Probe described(const Probe& probe, std::uint64_t rest_steps) {
-  return {std::string(probe.name),   std::string(probe.summary),   std::string(probe.parameter),
-          std::string(probe.unit),   std::string(probe.invariant), probe.from,
-          end_of(probe, rest_steps), probe.right_within,           probe.degraded_within};
+  return {std::string(probe.name),
+          std::string(probe.summary),
+          std::string(probe.parameter),
+          std::string(probe.unit),
+          std::string(probe.invariant),
+          probe.from,
+          end_of(probe, rest_steps),
+          probe.right_within,
+          probe.degraded_within,
+          std::string(probe.other_unit),
+          probe.others_in_unit == nullptr ? 0 : probe.others_in_unit()};
 }
 
 StabilityReport::Cell find_cell(const Probe& probe, const ProbeBench& bench, const AtlasOptions& options) {

@@ -27,6 +27,7 @@ struct StabilityOptions {
   DeviceOptions device;
   OutputOptions output;
   std::string html;
+  bool markdown = false;
 };
 
 std::vector<const Probe*> chosen_probes(const StabilityOptions& options) {
@@ -87,7 +88,8 @@ int stability(const StabilityOptions& options) {
   progress.clear();
   if (!options.html.empty()) write_output(options.html, reports::stability_page(report));
   if (!options.output.json.empty()) write_output(options.output.json, reports::stability_json(report));
-  if (options.output.summary() && options.html != "-") std::cout << reports::text_stability(report);
+  if (options.output.summary() && options.html != "-")
+    std::cout << (options.markdown ? reports::markdown_stability(report) : reports::text_stability(report));
   return 0;
 }
 
@@ -104,6 +106,7 @@ void add_stability_command(CLI::App& app, Action& chosen) {
   add_option(command, "--samples", options->samples);
   add_option(command, "--halvings", options->halvings);
   add_option(command, "--html", options->html);
+  add_flag(command, "--markdown", options->markdown);
   options->device.add_to(command);
   options->output.add_to(command);
   command.callback([options, &chosen] { chosen = [options] { return stability(*options); }; });

@@ -65,9 +65,9 @@ std::vector<Variant> swept_variants(const std::vector<std::string>& axis_options
 std::vector<Variant> variants_that_compute_differently() {
   std::vector<Variant> variants = one_value_at_a_time();
   std::erase_if(variants, [](const Variant& variant) {
-    return std::ranges::any_of(
-        std::array{AxisId::order, AxisId::sort, AxisId::cell_size, AxisId::work_group_size},
-        [&](AxisId axis) { return variant.value(axis) != Variant().value(axis); });
+    return std::ranges::any_of(std::array{AxisId::order, AxisId::sort, AxisId::cell_size,
+                                          AxisId::work_group_size, AxisId::reorder_every, AxisId::model},
+                               [&](AxisId axis) { return variant.value(axis) != Variant().value(axis); });
   });
   return variants;
 }

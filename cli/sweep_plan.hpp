@@ -16,7 +16,7 @@ namespace warpgrain::cli {
 std::vector<Variant> swept_variants(const std::vector<std::string>& axis_options);
 
 // Every value of every axis once, of the axes that can change results: not those that only say how particles
-// and cells lie in memory or how work is dealt out.
+// and cells lie in memory, how work is dealt out, or what a scene does without.
 std::vector<Variant> variants_that_compute_differently();
 
 // "I/N": the I-th of N parts, I from 1.

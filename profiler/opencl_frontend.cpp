@@ -198,6 +198,9 @@ CompiledPtx compile_opencl(std::string_view source, std::string_view source_name
   std::vector<std::string> options = pinned_options();
   options.insert(options.end(), of_code.begin(), of_code.end());
   if (exact_division) options.emplace_back("-DWARPGRAIN_EXACT_SQUARE_ROOT");
+  // clang takes the option and does nothing of it for this target; NVIDIA's compiler flushes floats.
+  if (std::ranges::find(user_options, "-cl-denorms-are-zero") != user_options.end())
+    options.insert(options.end(), {"-Xclang", "-fdenormal-fp-math-f32=preserve-sign,preserve-sign"});
   append_user_options(options, user_options, source_name);
 
   CompiledPtx compiled;

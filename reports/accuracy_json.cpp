@@ -23,6 +23,8 @@ AccuracyJson case_json(const AccuracyReport::Case& row) {
                     {"backend", row.backend}, {"warp_instructions", row.warp_instructions},
                     {"bytes", row.bytes},     {"relative_cost", row.relative_cost}};
   if (row.seconds) json["seconds"] = *row.seconds;
+  if (row.predicted_seconds) json["predicted_seconds"] = *row.predicted_seconds;
+  if (row.measured_seconds) json["measured_seconds"] = *row.measured_seconds;
   if (row.force)
     json["force"] = {{"maximum", row.force->maximum},
                      {"root_mean_square", row.force->root_mean_square},
@@ -54,6 +56,10 @@ std::string accuracy_json(const AccuracyReport& report) {
   json["step"] = report.step;
   json["time_step"] = report.time_step;
   json["seeds"] = report.seeds;
+  json["cost"] = report.cost;
+  json["cost_particles"] = report.cost_particles;
+  if (!report.machine.empty()) json["machine"] = report.machine;
+  if (!report.measured.empty()) json["measured"] = report.measured;
   json["cases"] = AccuracyJson::array();
   for (const AccuracyReport::Case& row : report.cases) json["cases"].push_back(case_json(row));
   return json_text(json, "accuracy");

@@ -10,6 +10,15 @@
 namespace warpgrain::reports {
 namespace {
 
+// By one of cost_names; 0: there is none.
+double step_cost(const AccuracyReport::Case& row, std::string_view name) {
+  if (name == "bytes") return static_cast<double>(row.bytes);
+  if (name == "seconds") return row.seconds.value_or(0);
+  if (name == "predicted_seconds") return row.predicted_seconds.value_or(0);
+  if (name == "measured_seconds") return row.measured_seconds.value_or(0);
+  return static_cast<double>(row.warp_instructions);
+}
+
 // Cost first, then errors; what failed before it was measured is the worst.
 Costs costs_of(const AccuracyReport::Case& row) {
   constexpr double worst = std::numeric_limits<double>::infinity();
@@ -50,11 +59,12 @@ std::string AccuracyReport::Case::name() const {
 }
 
 void rank_cases(AccuracyReport& report) {
-  const auto cost = [](const AccuracyReport::Case& row) {
-    return static_cast<double>(row.warp_instructions) / row.step_factor;
-  };
-  for (AccuracyReport::Case& row : report.cases)
-    if (cost(report.cases.front()) > 0) row.relative_cost = cost(row) / cost(report.cases.front());
+  double unit = 0;
+  for (AccuracyReport::Case& row : report.cases) {
+    const double cost = step_cost(row, report.cost) / row.step_factor;
+    if (unit == 0) unit = cost;
+    row.relative_cost = unit > 0 ? cost / unit : 0;
+  }
   std::vector<Costs> costs;
   for (const AccuracyReport::Case& row : report.cases) costs.push_back(costs_of(row));
   const auto by = dominated_by(costs);
@@ -63,7 +73,8 @@ void rank_cases(AccuracyReport& report) {
 }
 
 std::string sentence_of(const AccuracyReport::Case& row) {
-  std::string text = fmt::format("costs {:.2f} x", row.relative_cost);
+  std::string text = row.relative_cost > 0 ? fmt::format("costs {:.2f} x", row.relative_cost)
+                                           : std::string("cost not known");
   if (row.force) text += fmt::format(", forces off by {:.2g} of the largest", row.force->maximum);
   if (row.collision)
     text += fmt::format(", restitution off by {:.2g}, spin by {:.2g}, rebound angle by {:.2g} degrees",

@@ -2,6 +2,7 @@
 // What each variant costs and how far it is off, format "warpgrain.accuracy/1".
 // docs/schemas/accuracy-1.schema.json is its JSON Schema.
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -13,6 +14,10 @@
 namespace warpgrain::reports {
 
 inline constexpr std::string_view accuracy_format = "warpgrain.accuracy/1";
+
+// What a step can cost, each a member of AccuracyReport::Case.
+inline constexpr std::array<std::string_view, 5> cost_names{"warp_instructions", "bytes", "seconds",
+                                                            "predicted_seconds", "measured_seconds"};
 
 struct AccuracyReport {
   struct Force {
@@ -44,8 +49,11 @@ struct AccuracyReport {
     std::string backend;                  // where the errors are from
     std::uint64_t warp_instructions = 0;  // of a step
     std::uint64_t bytes = 0;
-    std::optional<double> seconds;
-    double relative_cost = 0;  // warp instructions for the same time simulated, in the first case's
+    std::optional<double> seconds;            // of a step on the OpenCL device
+    std::optional<double> predicted_seconds;  // on the machine
+    std::optional<double> measured_seconds;   // as `measured` says
+    // For the same time simulated, in the first case's that has one, by the criterion; 0: there is none.
+    double relative_cost = 0;
     std::optional<Force> force;
     std::optional<Collision> collision;
     std::optional<Trajectory> trajectory;
@@ -63,6 +71,10 @@ struct AccuracyReport {
   std::uint64_t particles = 0, step = 0;
   double time_step = 0;  // s
   std::uint64_t seeds = 0;
+  std::string cost = "warp_instructions";  // of cost_names
+  std::uint64_t cost_particles = 0;        // of the scene that costs were counted of
+  std::string machine;                     // its name; empty: none
+  std::string measured;                    // device, scene and particles; empty: nothing was
   std::vector<Case> cases;
 };
 

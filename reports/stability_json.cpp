@@ -37,7 +37,7 @@ OrderedJson cell_json(const StabilityReport::Cell& cell) {
 std::string stability_json(const StabilityReport& report) {
   OrderedJson json = document_head(stability_format, report.generator, report.command_line);
   for (const char* key : {"probes", "cells"}) json[key] = OrderedJson::array();
-  for (const StabilityReport::Probe& probe : report.probes)
+  for (const StabilityReport::Probe& probe : report.probes) {
     json["probes"].push_back({{"name", probe.name},
                               {"summary", probe.summary},
                               {"parameter", probe.parameter},
@@ -47,6 +47,10 @@ std::string stability_json(const StabilityReport& report) {
                               {"to", probe.to},
                               {"right_within", probe.right_within},
                               {"degraded_within", probe.degraded_within}});
+    if (probe.other_unit.empty()) continue;
+    json["probes"].back()["other_unit"] = probe.other_unit;
+    json["probes"].back()["others_in_unit"] = probe.others_in_unit;
+  }
   for (const StabilityReport::Cell& cell : report.cells) json["cells"].push_back(cell_json(cell));
   return json_text(json, "stability");
 }

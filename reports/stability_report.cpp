@@ -26,12 +26,16 @@ const StabilityReport::Probe& probe_of(const StabilityReport& report, const Stab
 
 std::string limits_text(const StabilityReport::Probe& probe, const StabilityReport::Cell& cell) {
   if (cell.verdict == Verdict::not_applicable) return "not applicable";
+  const auto limit = [&](double x) {
+    return probe.other_unit.empty()
+               ? fmt::format("{:.2g}", x)
+               : fmt::format("{:.2g} ({:.2g} {})", x, x * probe.others_in_unit, probe.other_unit);
+  };
   if (!cell.right_beyond) return fmt::format("right to {:.3g}", probe.to);
-  std::string text =
-      cell.right_until ? fmt::format("right to {:.2g}", *cell.right_until) : std::string("nowhere right");
+  std::string text = cell.right_until ? "right to " + limit(*cell.right_until) : std::string("nowhere right");
   if (!cell.degraded_beyond) return fmt::format("{}, degraded to {:.3g}", text, probe.to);
   if (cell.degraded_until && cell.degraded_until != cell.right_until)
-    text += fmt::format(", degraded to {:.2g}", *cell.degraded_until);
+    text += ", degraded to " + limit(*cell.degraded_until);
   for (const StabilityReport::Sample& sample : cell.samples)
     if (sample.x == *cell.degraded_beyond)
       text += fmt::format(", then {}: {}", verdict_name(sample.verdict), sample.text);

@@ -31,6 +31,8 @@ struct StabilityReport {
     std::string name, summary, parameter, unit, invariant;
     double from = 0, to = 0;  // of the parameter
     double right_within = 0, degraded_within = 0;
+    std::string other_unit = {};  // that limits are told in, too; empty: none
+    double others_in_unit = 0;    // so many of it are one `unit`
   };
   struct Sample {
     double x = 0;
@@ -68,6 +70,9 @@ std::string stability_json(const StabilityReport& report);
 
 // For a terminal: under each probe its variants, those together whose limits are alike.
 std::string text_stability(const StabilityReport& report);
+
+// The same as a Markdown table, and what the probes are.
+std::string markdown_stability(const StabilityReport& report);
 
 // A page with a heat map: a row a variant, a column a probe.
 std::string stability_page(const StabilityReport& report);

@@ -65,4 +65,51 @@ std::string text_stability(const StabilityReport& report) {
   return text + "\n";
 }
 
+namespace {
+
+std::string markdown_limit(const std::optional<double>& until, bool is_whole_range,
+                           const StabilityReport::Probe& probe) {
+  if (is_whole_range) return "all of it";
+  if (!until) return "-";
+  if (probe.other_unit.empty()) return fmt::format("{:.2g}", *until);
+  return fmt::format("{:.2g} ({:.2g} {})", *until, *until * probe.others_in_unit, probe.other_unit);
+}
+
+// Where it is no longer even degraded.
+std::string what_then(const StabilityReport::Cell& cell) {
+  if (!cell.degraded_beyond) return "";
+  for (const StabilityReport::Sample& sample : cell.samples)
+    if (sample.x == *cell.degraded_beyond)
+      return fmt::format("{}: {}", verdict_name(sample.verdict), sample.text);
+  return "";
+}
+
+}  // namespace
+
+std::string markdown_stability(const StabilityReport& report) {
+  std::string text =
+      "| probe | from, to | right to | degraded to | then | variants |\n|---|---|---:|---:|---|---|\n";
+  for (const StabilityReport::Probe& probe : report.probes) {
+    const std::vector<Cells> groups = alike(report, probe);
+    std::size_t all = 0;
+    for (const Cells& cells : groups) all += cells.size();
+    for (const Cells& cells : groups) {
+      const StabilityReport::Cell& cell = *cells.front();
+      const std::string names = names_of(cells, all, !has_one_backend(report));
+      if (cell.verdict == Verdict::not_applicable) {
+        text += fmt::format("| {} | | | | not applicable | {} |\n", probe.name, names);
+        continue;
+      }
+      text += fmt::format("| {} | {:.3g} to {:.3g} {} | {} | {} | {} | {} |\n", probe.name, probe.from,
+                          probe.to, probe.unit, markdown_limit(cell.right_until, !cell.right_beyond, probe),
+                          markdown_limit(cell.degraded_until, !cell.degraded_beyond, probe), what_then(cell),
+                          names);
+    }
+  }
+  text += "\n";
+  for (const StabilityReport::Probe& probe : report.probes)
+    text += fmt::format("* `{}`: {}; what has to hold: {}\n", probe.name, probe.summary, probe.invariant);
+  return text;
+}
+
 }  // namespace warpgrain::reports

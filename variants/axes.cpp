@@ -64,7 +64,9 @@ std::span<const Axis> axes() {
        tuning_axis("work_group_size", "work-items of a work-group", "128", values_of(work_groups())),
        tuning_axis("reorder_every", "how often particles are moved in memory, in maps", "1",
                    values_of(reorder_intervals())),
-       tuning_axis("model", "how much of the model is computed", "needed", values_of(model_extents()))}};
+       tuning_axis("model", "how much of the model is computed", "needed", values_of(model_extents())),
+       tuning_axis("denormals", "what becomes of the smallest floats", "keep",
+                   values_of(subnormal_modes()))}};
   return table;
 }
 

@@ -28,7 +28,7 @@ struct Axis {
 
 // In the order of a variant's name.
 std::span<const Axis> axes();
-inline constexpr std::size_t n_axes = 10;
+inline constexpr std::size_t n_axes = 11;
 // Throws InputError that lists the valid names.
 const Axis& axis_named(std::string_view name);
 enum class AxisId : std::size_t {
@@ -41,7 +41,8 @@ enum class AxisId : std::size_t {
   cell_size,
   work_group_size,
   reorder_every,
-  model
+  model,
+  denormals
 };
 
 class Variant {

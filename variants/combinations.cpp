@@ -61,12 +61,18 @@ const Precision& precision_of(const Variant& variant) {
 const ModelExtent& model_of(const Variant& variant) {
   return row_of(model_extents(), variant, AxisId::model);
 }
+const SubnormalMode& subnormal_mode(const Variant& variant) {
+  return row_of(subnormal_modes(), variant, AxisId::denormals);
+}
 const MathMode& math_mode(const Variant& variant) { return row_of(math_modes(), variant, AxisId::math); }
 
 std::string refusal(const Variant& variant) {
   if (precision_of(variant).is_fp64 && math_mode(variant).floats_alone)
     return "--math " + std::string(math_mode(variant).name) +
            " says nothing of double: choose --math default";
+  if (precision_of(variant).is_fp64 && subnormal_mode(variant).floats_alone)
+    return "--denormals " + std::string(subnormal_mode(variant).name) +
+           " says nothing of double: choose --denormals keep";
   if (precision_of(variant).has_half_history && !contact_law(variant).keeps_history)
     return "--precision " + std::string(precision_of(variant).name) +
            " is for laws with contact history, and --contact " + std::string(contact_law(variant).name) +

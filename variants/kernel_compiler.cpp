@@ -60,9 +60,11 @@ std::string cuda_build_options(std::string_view opencl_options) {
       accuracy = "--use_fast_math";
     else if (word == "-cl-fp32-correctly-rounded-divide-sqrt")
       accuracy = "--prec-div=true --prec-sqrt=true";
+    else if (word == "-cl-denorms-are-zero")
+      options += " --ftz=true";
     else if (!word.starts_with("-cl-std="))
       throw_input_error("--compiler cuda", fmt::format("the build option '{}'", word),
-                        "-D or an option for the accuracy of divisions and roots");
+                        "-D or an option for subnormal numbers or for the accuracy of divisions and roots");
   }
   return "--std=c++17 " + accuracy + options;
 }

@@ -1,6 +1,6 @@
 #pragma once
 // What is asked of built-in functions where forces are evaluated: one row here. The other kernels of a step
-// have OpenCL's default.
+// have OpenCL's default. And what every kernel makes of the smallest floats.
 
 #include <array>
 #include <span>
@@ -30,7 +30,23 @@ inline std::span<const MathMode> math_modes() {
   return rows;
 }
 
-// The mode of a variant.
+// What becomes of floats below the smallest normal one: one row here.
+struct SubnormalMode {
+  std::string_view name;  // value of the axis `denormals`
+  std::string_view summary;
+  std::string_view build_options;
+  bool floats_alone;  // doubles keep them all the same on GPUs
+};
+
+inline std::span<const SubnormalMode> subnormal_modes() {
+  static constexpr std::array<SubnormalMode, 2> rows{
+      {{"keep", "floats below 1.2e-38 lose digits one by one", "", false},
+       {"flush", "floats below 1.2e-38 are zero, going in and coming out", "-cl-denorms-are-zero", true}}};
+  return rows;
+}
+
+// The modes of a variant.
+const SubnormalMode& subnormal_mode(const Variant& variant);
 const MathMode& math_mode(const Variant& variant);
 
 }  // namespace warpgrain

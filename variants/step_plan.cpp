@@ -42,6 +42,8 @@ std::vector<SourceUnit> source_units(const Scene& scene, const Variant& variant,
                   device.is_fp64 ? 64 : 32, device.contact_slots, device.work_group);
   if (device.fixed_point) options += ' ' + device.fixed_point->build_options();
   if (device.half_history) options += ' ' + device.half_history->build_options();
+  if (const auto of_subnormals = subnormal_mode(variant).build_options; !of_subnormals.empty())
+    options += fmt::format(" {}", of_subnormals);
   const NormalForce normal_force =
       features.model(FeatureId::repulsion) ? scene.model.normal_force : NormalForce::signed_;
   const std::string law_options = fmt::format(

@@ -127,7 +127,7 @@ std::vector<EnsembleQuantity> ensemble(std::uint64_t seeds, const Backend& backe
     }
   }
   std::vector<EnsembleQuantity> quantities{{"flow rate", "grains/s", {}},
-                                           {"settling time", "s", {}},
+                                           {"kinetic energy decay", "s", {}},
                                            {"packing fraction", "", {}},
                                            {"coordination number", "", {}},
                                            {"repose angle", "degrees", {}}};

@@ -72,6 +72,27 @@ Table elastic_table(std::string title, const std::vector<std::string_view>& name
   return table;
 }
 
+// Tests 1 and 2 again: the force while the contact lasts.
+Table force_table(int test, std::string_view name, const std::vector<Contender>& all) {
+  const Scene scene = load_scene(name);
+  const HertzImpact theory = theory_of(scene);
+  Table table{
+      fmt::format("Test {}: normal force [kN] over time, {}", test, name), "", {"time [us]", "Hertz"}, {}};
+  std::vector<SingleImpact> seen;
+  for (const Contender& contender : all) {
+    table.columns.push_back(contender.name);
+    seen.push_back(contender.impact(scene, 1));
+  }
+  constexpr int rows = 12;
+  for (int k = 0; k <= rows; ++k) {
+    const double time = theory.duration * k / rows;
+    std::vector<Value> row{1e6 * time, 1e-3 * hertz_force(theory, time)};
+    for (const SingleImpact& impact : seen) row.emplace_back(1e-3 * force_at(impact, time));
+    table.rows.push_back(row);
+  }
+  return table;
+}
+
 // Test 3: the restitution that comes out for the one put in.
 Table restitution_table(const std::vector<Contender>& all) {
   Table table{"Test 3: restitution of a sphere and a wall", "", {"scene", "restitution set"}, {}};
@@ -132,7 +153,12 @@ std::vector<Table> impact_tables(const std::vector<AccuracyCase>& cases, const B
       elastic_table("Test 1: two spheres, without damping", {"impact_1_glass", "impact_1_limestone"}, all),
       elastic_table("Test 2: a sphere and a rigid wall, without damping",
                     {"impact_2_aluminium", "impact_2_magnesium"}, all),
-      restitution_table(all), oblique_table("impact_4_alumina", all),
+      force_table(1, "impact_1_glass", all),
+      force_table(1, "impact_1_limestone", all),
+      force_table(2, "impact_2_aluminium", all),
+      force_table(2, "impact_2_magnesium", all),
+      restitution_table(all),
+      oblique_table("impact_4_alumina", all),
       oblique_table("impact_4_aluminium", all)};
 }
 

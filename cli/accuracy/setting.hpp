@@ -5,14 +5,17 @@
 #include <optional>
 #include <string>
 
+#include "analysis/machine.hpp"
 #include "core/scene.hpp"
 #include "variants/backend.hpp"
 
 namespace warpgrain::cli {
 
 struct AccuracySetting {
-  Scene scene;    // as loaded
-  Scene at_step;  // the same with its particles some steps later, where contacts are
+  Scene scene;                     // as loaded
+  Scene at_step;                   // the same with its particles some steps later, where contacts are
+  Scene costed;                    // the same again, or a larger one: of which costs are counted
+  std::optional<Machine> machine;  // for which times are predicted
   BackendOptions backend;
   std::uint64_t divergence_steps = 0;  // how long trajectories are compared, in steps of the scene
   std::uint64_t timed_steps = 0;

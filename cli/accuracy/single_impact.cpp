@@ -29,11 +29,24 @@ SingleImpact single_impact(const Scene& scene, const Backend& backend, const Var
     impact.after = simulation->state();
     const double overlap = overlap_of(scene, impact.after);
     impact.largest_overlap = std::max(impact.largest_overlap, overlap);
-    if (overlap > 0) ++touching;
     if (overlap <= 0 && touching > 0) break;
+    if (overlap <= 0) continue;
+    ++touching;
+    impact.moments.push_back(
+        {static_cast<double>(touching * look_every) * scene.time_step, simulation->forces().force[0].norm()});
   }
   impact.duration = static_cast<double>(touching * look_every) * scene.time_step;
   return impact;
+}
+
+double force_at(const SingleImpact& impact, double time) {
+  SingleImpact::Moment before;
+  for (const SingleImpact::Moment& moment : impact.moments) {
+    if (moment.time >= time)
+      return std::lerp(before.force, moment.force, (time - before.time) / (moment.time - before.time));
+    before = moment;
+  }
+  return 0;
 }
 
 void set_angle(Scene& scene, double degrees) {

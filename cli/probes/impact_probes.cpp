@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <numbers>
 
 #include "cli/probes/impact.hpp"
 #include "cli/probes/probes.hpp"
@@ -92,13 +93,44 @@ ProbeReading friction(const ProbeBench& bench, double x) {
                            exact.angular_velocity[0].y())};
 }
 
+// Nothing but the normal component changes at a wall without friction.
+ProbeReading frictionless(const ProbeBench& bench, double x) {
+  ProbeScene setting;
+  setting.friction = 0;
+  const double r = 1e-3, speed = 1, angle = x * std::numbers::pi / 180;
+  setting.bodies.push_back({r, {0, 0, r}, Vector3d(std::sin(angle), 0, -std::cos(angle)) * speed, 0});
+  setting.planes.emplace_back();
+  setting.room = 400;  // along which it goes on while it touches
+  Scene scene = setting.scene();
+  const double steps = bench.model() == ContactModel::simple ? steps_a_linear_contact : steps_a_contact;
+  scene.time_step = contact_time(scene, bench.model(), speed * std::cos(angle)) / steps;
+  const auto is_over = [&](const ParticleState& state) {
+    return state.velocity[0].z() > 0 && state.position[0].z() > r;
+  };
+  const ParticleState after = bench.run(scene, 1500, 16, is_over);
+  const double off = std::max(std::abs(after.velocity[0].x() - scene.particles.velocity[0].x()),
+                              r * after.angular_velocity[0].norm()) /
+                     speed;
+  return {off, fmt::format("tangential velocity {:.4g} m/s, was {:.4g}", after.velocity[0].x(),
+                           scene.particles.velocity[0].x())};
+}
+
+// Densities and moduli in the same proportion: times and speeds stay what they are, masses and forces shrink
+// until arithmetic has no normal numbers for them.
+ProbeReading subnormal(const ProbeBench& bench, double x) {
+  HeadOn head_on;
+  head_on.setting.materials[0].density *= x;
+  head_on.setting.materials[0].youngs_modulus *= x;
+  return judge_head_on(bench, head_on);
+}
+
 constexpr std::string_view keeps_restitution = "restitution as the material has it, momentum kept";
 
 }  // namespace
 
 std::span<const Probe> impact_probes() {
   constexpr double right = 0.01, degraded = 0.05;
-  static const std::array<Probe, 12> rows{{
+  static const std::array<Probe, 15> rows{{
       {"stiffness_high", "two spheres of 1 mm meet at 1 cm/s", "Young's modulus", "Pa", keeps_restitution,
        1e7, 1e11, right, degraded, false, false, stiffness},
       {"stiffness_low", "two spheres of 1 mm meet at 1 cm/s", "Young's modulus", "Pa", keeps_restitution, 1e7,
@@ -119,10 +151,17 @@ std::span<const Probe> impact_probes() {
        "diameters", keeps_restitution, 1, 1e6, right, degraded, false, false, distance},
       {"restitution_low", "two spheres of 1 mm meet at 1 m/s", "restitution", "", keeps_restitution, 0.8,
        1e-6, right, degraded, false, false, restitution},
+      {"restitution_high", "two spheres of 1 mm meet at 1 m/s", "restitution", "", keeps_restitution, 0.8, 1,
+       right, degraded, false, false, restitution},
+      {"friction_none", "a sphere of 1 mm meets a wall without friction at 1 m/s", "angle from the normal",
+       "degrees", "the tangential velocity stays, no spin appears", 15, 85, right, degraded, true, false,
+       frictionless},
       {"friction_low", "a sphere of 1 mm meets a wall at 45 degrees and 1 m/s", "friction coefficient", "",
        "velocity and spin as in double", 0.5, 1e-6, right, degraded, true, false, friction},
       {"friction_high", "a sphere of 1 mm meets a wall at 45 degrees and 1 m/s", "friction coefficient", "",
        "velocity and spin as in double", 0.5, 1e3, right, degraded, true, false, friction},
+      {"subnormal", "two spheres of 1 mm meet at 1 m/s, in ever larger units of mass", "masses and forces",
+       "those in SI", keeps_restitution, 1, 1e-44, right, degraded, false, false, subnormal},
   }};
   return rows;
 }

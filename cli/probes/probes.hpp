@@ -27,6 +27,9 @@ struct Probe {
   bool needs_friction;  // says nothing of the simple model, which has none
   bool to_rest_steps;   // x ends at ProbeBench::rest_steps
   ProbeReading (*read)(const ProbeBench& bench, double x);
+  // Limits are told in this unit, too: so many of it are one `unit`.
+  std::string_view other_unit = {};
+  double (*others_in_unit)() = nullptr;
 };
 
 // All of them, in the order of the atlas.

@@ -53,11 +53,28 @@ ProbeReading impact(const ProbeBench& bench, double x) {
                       contact)};
 }
 
-ParticleState oblique_after(const ProbeBench& bench, double share_of_rayleigh_time) {
+double hertz_times(ProbeScene setting) {
+  const TimeStepLimits limits = time_step_limits(setting.scene());
+  return limits.rayleigh_time / limits.hertz_contact_time;
+}
+
+double hertz_times_of_impact() {
+  ProbeScene setting;
+  for (double side : {-1.0, 1.0}) setting.bodies.push_back({r, {side * r, 0, 0}, {-side / 2, 0, 0}, 0});
+  return hertz_times(setting);
+}
+
+ProbeScene oblique_scene() {
   ProbeScene setting;
   setting.bodies.push_back({r, {0, 0, r}, Vector3d(1, 0, -1) * std::sqrt(0.5), 0});
   setting.planes.emplace_back();
-  Scene scene = setting.scene();
+  return setting;
+}
+
+double hertz_times_of_oblique() { return hertz_times(oblique_scene()); }
+
+ParticleState oblique_after(const ProbeBench& bench, double share_of_rayleigh_time) {
+  Scene scene = oblique_scene().scene();
   scene.time_step = share_of_rayleigh_time * time_step_limits(scene).rayleigh_time;
   const double contact = contact_time(scene, bench.model(), 1) / scene.time_step;
   return bench.run(scene, static_cast<std::uint64_t>(std::ceil(4 * contact)) + 10,
@@ -99,16 +116,18 @@ ProbeReading packing(const ProbeBench& bench, double x) {
 
 std::span<const Probe> time_step_probes() {
   constexpr double right = 0.01, degraded = 0.05;
-  constexpr double from = 0.02, to = 5;
-  static const std::array<Probe, 3> rows{{
+  constexpr double from = 0.02, to = 5, blown_up = 0.5;
+  static const std::array<Probe, 4> rows{{
       {"time_step_impact", "two spheres of 1 mm and 10 MPa meet at 1 m/s; a contact lasts 2.4 Rayleigh times",
        "time step", "Rayleigh times", "restitution as the material has it", from, to, right, degraded, false,
-       false, impact},
+       false, impact, "Hertz contact times", hertz_times_of_impact},
       {"time_step_oblique", "a sphere of 1 mm meets a wall at 45 degrees and 1 m/s", "time step",
        "Rayleigh times", "velocity and spin as with small steps", from, to, right, degraded, false, false,
-       oblique},
+       oblique, "Hertz contact times", hertz_times_of_oblique},
       {"time_step_packing", "27 undamped spheres pressed into a box", "time step", "Rayleigh times",
        "no energy appears", from, to, right, degraded, false, false, packing},
+      {"time_step_blow_up", "the same 27 spheres", "time step", "Rayleigh times",
+       "the energy does not grow by half", from, to, blown_up, blown_up, false, false, packing},
   }};
   return rows;
 }

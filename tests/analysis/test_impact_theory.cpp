@@ -17,6 +17,18 @@ TEST(ImpactTheory, HertzImpactStoresTheKineticEnergy) {
               1e-12);
 }
 
+// Its impulse turns the velocity around; it is largest in the middle.
+TEST(ImpactTheory, HertzForceGivesTheImpulse) {
+  const HertzImpact impact = hertz_impact(1e7, 0.005, 0.02, 3);
+  double impulse = 0;
+  constexpr int parts = 400;
+  for (int k = 0; k < parts; ++k)
+    impulse += hertz_force(impact, impact.duration * (k + 0.5) / parts) * impact.duration / parts;
+  EXPECT_NEAR(impulse, 2 * 0.02 * 3, 1e-5);
+  EXPECT_NEAR(hertz_force(impact, impact.duration / 2), impact.largest_force, 1e-6 * impact.largest_force);
+  EXPECT_EQ(hertz_force(impact, 2 * impact.duration), 0);
+}
+
 TEST(ImpactTheory, SlidingTakesMuTimesTheNormalImpulse) {
   const SlidingImpact flat = sliding_impact(1, 10, 0.01, 1, 0.1);
   EXPECT_TRUE(flat.slips_throughout);

@@ -71,6 +71,33 @@ TEST(StabilityProbes, TellsFloatsFromDoublesByTheOverlapOfRest) {
   EXPECT_LT(*floats.right_until, 1e8);
 }
 
+// The same on a device, and 100 m away; `mixed` holds both.
+TEST(StabilityProbes, MixedResolvesTheOverlapOfRestFarFromTheOrigin) {
+  if (!backend("opencl").lacks().empty()) GTEST_SKIP() << backend("opencl").lacks();
+  const auto error = [](std::string_view precision, std::string_view probe) {
+    Variant variant;
+    variant.set("precision", precision);
+    return probe_named(probe).read({backend("opencl"), variant, {}, 200}, 1e11).error;
+  };
+  for (const char* probe : {"static_overlap_at_1_m", "static_overlap_at_100_m"}) {
+    EXPECT_LT(error("mixed", probe), 0.01) << probe;
+    EXPECT_GT(error("fp32", probe), 0.05) << probe;
+  }
+}
+
+// What the flushing of subnormal floats takes away: all of the forces at once.
+TEST(StabilityProbes, TellsWhereSubnormalFloatsAreFlushed) {
+  if (!backend("opencl").lacks().empty()) GTEST_SKIP() << backend("opencl").lacks();
+  const auto cell = [](std::string_view denormals) {
+    Variant variant;
+    variant.set("denormals", denormals);
+    return find_cell(probe_named("subnormal"), {backend("opencl"), variant, {}, 200}, {3, 6});
+  };
+  const auto kept = cell("keep"), flushed = cell("flush");
+  ASSERT_TRUE(kept.right_until && flushed.right_until);
+  EXPECT_LT(*kept.right_until, *flushed.right_until);
+}
+
 TEST(StabilityProbes, RefusesMoreContactsThanSlots) {
   const auto cell = find_cell(probe_named("contacts"), host_bench("fp32"), {3, 6});
   EXPECT_EQ(cell.verdict, Verdict::refused);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "../cli/command_fixture.hpp"
+#include "../cli/detector_calls.hpp"
 #include "core/error.hpp"
 #include "reports/benchmark_json.hpp"
 #include "reports/measured_report.hpp"
@@ -82,6 +83,17 @@ TEST_F(Cuda, BackEndGivesTheSimulatorsState) {
         << err_;
   EXPECT_EQ(read("cuda.csv"), read("simt.csv"));
   EXPECT_NE(read("cuda.csv"), "");
+}
+
+// As on every other back end: tests/cli/test_detectors.cpp.
+TEST_F(Cuda, DetectorsFire) {
+  for (const DetectorCall& bad : detector_calls()) {
+    EXPECT_EQ(call({"run", "--scene", write("scene.json", bad.scene.text()), "--backend", "cuda", "--steps",
+                    std::to_string(bad.steps), "--sample-every", "1", "--quiet"}),
+              bad.status)
+        << bad.what;
+    for (const std::string& words : bad.says) EXPECT_THAT(err_, HasSubstr(words)) << bad.what;
+  }
 }
 
 TEST_F(Cuda, MeasureTimesAStepAndItsKernels) {

@@ -157,6 +157,16 @@ TEST(OpenClFrontend, WhatIsNotCarriedIsNamedWithItsPlace) {
               HasSubstr("device-side enqueue is not carried"));
 }
 
+// As NVIDIA's compiler has it: floats alone.
+TEST(OpenClFrontend, FlushesSubnormalFloatsWhereItIsAskedTo) {
+  const std::string source =
+      "kernel void k(global float* a, global double* d) { a[0] = a[1] * a[2] + a[3]; d[0] = d[1] * d[2]; }";
+  EXPECT_THAT(compile_opencl(source, "k.cl").ptx, Not(HasSubstr(".ftz")));
+  const std::string flushing = compile_opencl(source, "k.cl", "-cl-denorms-are-zero").ptx;
+  EXPECT_THAT(flushing, HasSubstr("fma.rn.ftz.f32"));
+  EXPECT_THAT(flushing, HasSubstr("mul.rn.f64"));
+}
+
 TEST(OpenClFrontend, RefusesOptionsThatAreNotOpenCls) {
   EXPECT_THAT(refusal([] { compile_opencl("", "a.cl", "-o /etc/passwd"); }),
               HasSubstr("build options: unknown option '-o'; valid: -D"));
