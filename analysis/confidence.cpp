@@ -28,9 +28,10 @@ Moments moments_of(std::span<const double> values) {
   return moments;
 }
 
-double half_width(double variance_of_mean, double degrees_of_freedom) {
+double half_width(double variance_of_mean, double degrees_of_freedom, std::size_t comparisons = 1) {
   if (variance_of_mean == 0) return 0;
-  return boost::math::quantile(boost::math::students_t(degrees_of_freedom), 0.975) *
+  const double beyond = 0.025 / static_cast<double>(comparisons);
+  return boost::math::quantile(boost::math::students_t(degrees_of_freedom), 1 - beyond) *
          std::sqrt(variance_of_mean);
 }
 
@@ -43,7 +44,8 @@ MeanInterval mean_interval(std::span<const double> values) {
   return interval;
 }
 
-MeanInterval difference_of_means(std::span<const double> a, std::span<const double> b) {
+MeanInterval difference_of_means(std::span<const double> a, std::span<const double> b,
+                                 std::size_t comparisons) {
   const Moments of_a = moments_of(a), of_b = moments_of(b);
   MeanInterval interval{std::min(a.size(), b.size()), of_a.mean - of_b.mean, {}};
   if (interval.count < 2) return interval;
@@ -51,7 +53,7 @@ MeanInterval difference_of_means(std::span<const double> a, std::span<const doub
   // Welch & Satterthwaite
   const double spread = of_a.variance_of_mean * of_a.variance_of_mean / (of_a.count - 1) +
                         of_b.variance_of_mean * of_b.variance_of_mean / (of_b.count - 1);
-  interval.half_width = spread > 0 ? half_width(variance, variance * variance / spread) : 0;
+  interval.half_width = spread > 0 ? half_width(variance, variance * variance / spread, comparisons) : 0;
   return interval;
 }
 

@@ -204,7 +204,8 @@ class AccuracyStudy {
     std::vector<reports::AccuracyReport::Ensemble> rows;
     for (std::size_t k = 0; k < seen.size(); ++k) {
       const MeanInterval mean = mean_interval(seen[k].values);
-      const MeanInterval difference = difference_of_means(seen[k].values, ensemble_[k].values);
+      const MeanInterval difference =
+          difference_of_means(seen[k].values, ensemble_[k].values, seen.size() * cases_.size());
       rows.push_back({seen[k].name, seen[k].unit, mean.mean, mean.half_width, difference.mean,
                       difference.half_width, is_significant(difference)});
     }

@@ -26,8 +26,8 @@ struct TimeStepAdvice {
 
 // Restitution after a collision in steps of `share` of the Hertz contact time, under eqs. (4), (8), (10),
 // less `restitution`, as a part of it, or of 0.1 where it is less: the largest over where in a step a contact
-// may begin. Takes 0 < restitution <= 1 and a share above 0. `place_spacing`: of both spheres' places, in the
-// largest overlap of such a collision without damping.
+// may begin. Takes 0 < restitution <= 1 and a share above 0.
+// `place_spacing`: of both spheres' places, in the largest overlap of such a collision without damping.
 double restitution_error(double restitution, double share, double place_spacing = 0);
 // The same under eq. (1), in steps of `share` of a contact, pi sqrt(m* / k).
 double linear_restitution_error(double restitution, double share, double place_spacing = 0);

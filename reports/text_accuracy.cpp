@@ -115,7 +115,8 @@ std::string table_of_ensembles(const AccuracyReport& report) {
     table.add_row(cells);
   }
   return fmt::format(
-      "Means over {} seeds and their 95 % intervals; = no significant difference from the reference, ! a "
+      "Means over {} seeds and their 95 % intervals; = no significant difference from the double reference, "
+      "! a "
       "significant one\n\n{}\n",
       report.seeds, table.text());
 }

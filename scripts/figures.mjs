@@ -37,7 +37,7 @@ const title = (text, left, top) => ({ text, left, top, textAlign: "center", text
 // Panels side by side, each { title, x, y, series: [{ name, data, marks }] }.
 function panels(folder, name, columns, list, legend) {
   const width = 320, height = 290, rows = Math.ceil(list.length / columns);
-  const option = { title: [], grid: [], xAxis: [], yAxis: [], series: [], legend: { data: legend, bottom: 0, textStyle: { color: INK } } };
+  const option = { title: [], grid: [], xAxis: [], yAxis: [], series: [], legend: { data: legend, bottom: 0, itemGap: 30, textStyle: { color: INK } } };
   list.forEach((panel, k) => {
     const left = (k % columns) * width, top = Math.floor(k / columns) * height;
     option.title.push(title(panel.title, left + 60 + 120, top + 4));
@@ -47,7 +47,7 @@ function panels(folder, name, columns, list, legend) {
     for (const series of panel.series)
       option.series.push({
         type: series.marks ? "scatter" : "line", name: series.name, data: series.data, xAxisIndex: k, yAxisIndex: k,
-        color: SERIES[legend.indexOf(series.name) % SERIES.length], symbolSize: series.marks ? 7 : 0, showSymbol: Boolean(series.marks), smooth: !series.marks && !panel.straight, lineStyle: { width: 2 },
+        color: SERIES[legend.indexOf(series.name) % SERIES.length], symbolSize: series.marks === "emptyDiamond" ? 13 : 6, showSymbol: Boolean(series.marks), smooth: !series.marks && !panel.straight, lineStyle: { width: 2 },
         symbol: series.marks ?? "circle", itemStyle: series.marks ? { opacity: 0.8 } : {},
       });
   });
@@ -59,7 +59,7 @@ const column = (t, k) => t.rows.map((row) => [row[0], row[k]]);
 
 function drawImpacts(folder, study) {
   const variant = study.tables[0].rows.find((row) => row[1] !== "Hertz" && row[1] !== "double reference")[1];
-  const marks = { "double reference": "diamond", [variant]: "circle" };
+  const marks = { "double reference": "emptyDiamond", [variant]: "circle" };
   const forces = study.tables.filter((t) => t.title.includes("normal force")).map((t) => ({
     title: t.title.replace(": normal force [kN] over time,", ","), x: "time [us]", y: "normal force [kN]",
     series: t.columns.slice(1).map((by, k) => ({ name: by, data: column(t, k + 1), marks: marks[by] })),
@@ -90,7 +90,7 @@ function drawConvergence(folder, study) {
     const [, angle, restitution] = t.title.match(/at ([\d.]+) degrees with restitution ([\d.]+)/);
     return {
       title: `${angle} degrees, restitution ${restitution}`, x: "steps a contact", y: "spin off by [rad/s]", straight: true,
-      xAxis: { type: "log", min: 20, max: 2000 },
+      xAxis: { type: "log", min: 20, max: 2000, axisLabel: { color: INK, showMaxLabel: false } },
       yAxis: { type: "log", min: 1e-4, max: 1e3, axisLabel: { color: INK, formatter: (v) => v.toExponential(0) } },
       series: t.rows.map((row) => ({
         name: row[0], data: steps.map((n, k) => [n, Math.max(1e-4, Math.abs(row[k + 1] - row[finest]))]),
@@ -120,12 +120,12 @@ function drawFront(folder, report, name) {
   };
   const criteria = [["rms error of a force", (row) => row.force?.root_mean_square],
     ["error of restitution and spin", (row) => row.collision && Math.max(row.collision.restitution, row.collision.spin)]];
-  const option = { title: [], grid: [], xAxis: [], yAxis: [], series: [], legend: { data: ["on the front", "dominated"], bottom: 0, textStyle: { color: INK } } };
+  const option = { title: [], grid: [], xAxis: [], yAxis: [], series: [], legend: { data: ["on the front", "dominated"], bottom: 0, itemGap: 30, textStyle: { color: INK } } };
   criteria.forEach(([what, error], k) => {
     const points = named(report.cases.filter((row) => row.relative_cost > 0 && error(row) > 0)
       .map((row) => ({ x: row.relative_cost, y: error(row), front: row.on_front, label: short(row) })));
     option.grid.push({ left: 80 + k * 500, top: 20, width: 390, height: 360 });
-    option.xAxis.push({ ...axis(`cost: ${COSTS[report.cost]}, for the same time simulated`), type: "log", gridIndex: k });
+    option.xAxis.push({ ...axis(`cost: ${COSTS[report.cost]}, for the same time simulated`), min: 0, gridIndex: k });
     option.yAxis.push({ ...axis(what), type: "log", gridIndex: k, nameGap: 52, axisLabel: { color: INK, formatter: (v) => v.toExponential(0) } });
     for (const front of [true, false])
       option.series.push({
@@ -148,24 +148,32 @@ const number = (x) => (x >= 0.01 && x < 1000 ? String(+x.toPrecision(2)) : x.toE
 
 function drawAtlas(folder, report, name) {
   const hosts = new Set(report.cells.map((cell) => cell.backend)).size > 1;
-  const row = (cell) => cell.variant + (hosts ? ` (${cell.backend})` : "");
-  const variants = [...new Set(report.cells.map(row))], probes = report.probes.map((probe) => probe.name);
+  const column = (cell) => cell.variant + (hosts ? ` (${cell.backend})` : "");
+  const variants = [...new Set(report.cells.map(column))], probes = report.probes.map((probe) => probe.name);
   const data = report.cells.map((cell) => {
     const probe = report.probes.find((p) => p.name === cell.probe);
-    const at = [probes.indexOf(cell.probe), variants.length - 1 - variants.indexOf(row(cell))];
+    const at = [variants.indexOf(column(cell)), probes.length - 1 - probes.indexOf(cell.probe)];
     if (cell.verdict === "not_applicable") return { value: [...at, "-"], text: "" };
-    const share = shareOfRange(probe, cell), mark = { refused: "!", wrong: "" }[cell.verdict] ?? "";
-    return { value: [...at, share], text: share === 1 ? "" : (cell.right_until === undefined ? "-" : number(cell.right_until)) + mark };
+    const share = shareOfRange(probe, cell);
+    const limit = cell.right_until === undefined ? "nowhere" : number(cell.right_until);
+    return { value: [...at, share], text: share === 1 ? "" : limit + (cell.verdict === "refused" ? "!" : "") };
   });
-  const wide = 46, high = 22, left = 330, top = 150;
-  write(folder, name, left + probes.length * wide + 20, top + variants.length * high + 70, {
-    grid: { left, top, width: probes.length * wide, height: variants.length * high },
-    xAxis: { type: "category", data: probes, position: "top", axisLabel: { color: INK, rotate: 60, interval: 0, fontSize: 11 }, axisTick: { show: false }, axisLine: { show: false } },
-    yAxis: { type: "category", data: [...variants].reverse(), axisLabel: { color: INK, interval: 0, fontSize: 11 }, axisTick: { show: false }, axisLine: { show: false } },
-    visualMap: { min: 0, max: 1, orient: "horizontal", left, bottom: 6, itemWidth: 14, itemHeight: 160, calculable: false, text: ["the whole range is right", "nothing is"], textStyle: { color: INK },
-      inRange: { color: ["#b8442f", "#d98f4e", "#e8cf7d", "#7fb88f", "#2f7f79"] } },
-    series: [{ type: "heatmap", data, itemStyle: { borderColor: "#8888885f", borderWidth: 1 },
-      label: { show: true, formatter: (p) => p.data.text, color: "#101418", fontSize: 9 } }],
+  const wide = 52, high = 22, left = 260, top = 235;
+  const category = (names, more) => ({ type: "category", data: names, axisTick: { show: false }, axisLine: { show: false }, ...more });
+  write(folder, name, left + variants.length * wide + 40, top + probes.length * high + 50, {
+    grid: { left, top, width: variants.length * wide, height: probes.length * high },
+    xAxis: category(variants, { position: "top", axisLabel: { color: INK, rotate: 60, interval: 0, fontSize: 11 } }),
+    yAxis: category(report.probes.map((probe) => probe.name + (probe.unit ? ` [${probe.unit}]` : "")).reverse(),
+      { axisLabel: { color: INK, interval: 0, fontSize: 11 } }),
+    visualMap: {
+      min: 0, max: 1, orient: "horizontal", left, bottom: 8, itemWidth: 14, itemHeight: 160, calculable: false,
+      text: ["all of the range is right", "nothing is"], textStyle: { color: INK },
+      inRange: { color: ["#b8442f", "#d98f4e", "#e8cf7d", "#7fb88f", "#2f7f79"] },
+    },
+    series: [{
+      type: "heatmap", data, itemStyle: { borderColor: "#8888885f", borderWidth: 1 },
+      label: { show: true, formatter: (p) => p.data.text, color: "#101418", fontSize: 10 },
+    }],
   });
 }
 

@@ -18,7 +18,7 @@ namespace {
 constexpr double radius = 0.002, half_slit = 0.01, half_box = 0.02, depth = 0.016, fill_height = 0.06;
 constexpr double floor_at = -0.04, half_floor = 0.1, ceiling = 0.08;
 constexpr std::size_t grains = 200;
-constexpr double duration = 0.4;  // s
+constexpr double duration = 0.8;  // s
 constexpr int samples = 100;
 
 std::string rectangle(const Vector3d& corner, const Vector3d& u, const Vector3d& v) {
@@ -61,7 +61,7 @@ Scene boxes(std::uint64_t seeds) {
   return parse_scene(
       fmt::format(R"({{"format": "warpgrain.scene/1", "name": "ensemble", "gravity": [0, 0, -9.81],
   "materials": [{{"name": "soft", "density": 2500, "youngs_modulus": 5e5, "poisson_ratio": 0.3}}],
-  "contacts": [{{"between": ["soft", "soft"], "restitution": 0.8, "friction": 0.5}}],
+  "contacts": [{{"between": ["soft", "soft"], "restitution": 0.5, "friction": 0.5}}],
   "particles": [{}], "walls": [{}],
   "domain": {{"lower": [{}, 0, {}], "upper": [{}, {}, {}]}},
   "time": {{"step": "auto", "end": {{"steps": 1}}}}}})",

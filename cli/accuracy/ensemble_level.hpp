@@ -14,7 +14,7 @@ struct EnsembleQuantity {
   std::vector<double> values;  // [seeds]
 };
 
-// 0.4 s of `seeds` boxes of 200 grains: flow rate, kinetic energy decay (until it stays below a twentieth of
+// 0.8 s of `seeds` boxes of 200 grains: flow rate, kinetic energy decay (until it stays below a twentieth of
 // its largest), packing fraction, coordination number, repose angle. Throws InputError as the back end does.
 std::vector<EnsembleQuantity> ensemble(std::uint64_t seeds, const Backend& backend, const Variant& variant,
                                        const BackendOptions& options, double step_factor);

@@ -49,45 +49,55 @@ HertzImpact theory_of(const Scene& scene) {
                       (p.velocity[0] - p.velocity[1]).norm());
 }
 
+// A scene of tests 1 and 2, looked at in every step.
+struct ElasticImpact {
+  std::string name;
+  Scene scene;
+  HertzImpact theory;
+  std::vector<SingleImpact> seen;  // [contenders]
+};
+
+ElasticImpact elastic_impact(std::string_view name, const std::vector<Contender>& all) {
+  ElasticImpact impact{std::string(name), load_scene(name), {}, {}};
+  impact.theory = theory_of(impact.scene);
+  for (const Contender& contender : all) impact.seen.push_back(contender.impact(impact.scene, 1));
+  return impact;
+}
+
 // Tests 1 and 2: without damping, against Hertz.
-Table elastic_table(std::string title, const std::vector<std::string_view>& names,
+Table elastic_table(std::string title, const std::vector<ElasticImpact>& impacts,
                     const std::vector<Contender>& all) {
   Table table{std::move(title),
               "",
               {"scene", "by", "largest overlap [um]", "largest force [kN]", "duration [us]", "restitution"},
               {}};
-  for (std::string_view name : names) {
-    const Scene scene = load_scene(name);
-    const HertzImpact theory = theory_of(scene);
+  for (const ElasticImpact& impact : impacts) {
+    const HertzImpact& theory = impact.theory;
     const double stiffness = theory.largest_force / std::pow(theory.largest_overlap, 1.5);
-    table.rows.push_back({std::string(name), std::string("Hertz"), 1e6 * theory.largest_overlap,
+    table.rows.push_back({impact.name, std::string("Hertz"), 1e6 * theory.largest_overlap,
                           1e-3 * theory.largest_force, 1e6 * theory.duration, 1.0});
-    for (const Contender& contender : all) {
-      const SingleImpact seen = contender.impact(scene, 1);
-      table.rows.push_back({std::string(name), contender.name, 1e6 * seen.largest_overlap,
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const SingleImpact& seen = impact.seen[k];
+      table.rows.push_back({impact.name, all[k].name, 1e6 * seen.largest_overlap,
                             1e-3 * stiffness * std::pow(seen.largest_overlap, 1.5), 1e6 * seen.duration,
-                            seen.after.velocity[0].norm() / scene.particles.velocity[0].norm()});
+                            seen.after.velocity[0].norm() / impact.scene.particles.velocity[0].norm()});
     }
   }
   return table;
 }
 
-// Tests 1 and 2 again: the force while the contact lasts.
-Table force_table(int test, std::string_view name, const std::vector<Contender>& all) {
-  const Scene scene = load_scene(name);
-  const HertzImpact theory = theory_of(scene);
-  Table table{
-      fmt::format("Test {}: normal force [kN] over time, {}", test, name), "", {"time [us]", "Hertz"}, {}};
-  std::vector<SingleImpact> seen;
-  for (const Contender& contender : all) {
-    table.columns.push_back(contender.name);
-    seen.push_back(contender.impact(scene, 1));
-  }
+// The force while the contact lasts.
+Table force_table(int test, const ElasticImpact& impact, const std::vector<Contender>& all) {
+  Table table{fmt::format("Test {}: normal force [kN] over time, {}", test, impact.name),
+              "",
+              {"time [us]", "Hertz"},
+              {}};
+  for (const Contender& contender : all) table.columns.push_back(contender.name);
   constexpr int rows = 12;
   for (int k = 0; k <= rows; ++k) {
-    const double time = theory.duration * k / rows;
-    std::vector<Value> row{1e6 * time, 1e-3 * hertz_force(theory, time)};
-    for (const SingleImpact& impact : seen) row.emplace_back(1e-3 * force_at(impact, time));
+    const double time = impact.theory.duration * k / rows;
+    std::vector<Value> row{1e6 * time, 1e-3 * hertz_force(impact.theory, time)};
+    for (const SingleImpact& seen : impact.seen) row.emplace_back(1e-3 * force_at(seen, time));
     table.rows.push_back(row);
   }
   return table;
@@ -149,17 +159,18 @@ Table oblique_table(std::string_view name, const std::vector<Contender>& all) {
 
 std::vector<Table> impact_tables(const std::vector<AccuracyCase>& cases, const BackendOptions& options) {
   const std::vector<Contender> all = contenders(cases, options);
-  return {
-      elastic_table("Test 1: two spheres, without damping", {"impact_1_glass", "impact_1_limestone"}, all),
-      elastic_table("Test 2: a sphere and a rigid wall, without damping",
-                    {"impact_2_aluminium", "impact_2_magnesium"}, all),
-      force_table(1, "impact_1_glass", all),
-      force_table(1, "impact_1_limestone", all),
-      force_table(2, "impact_2_aluminium", all),
-      force_table(2, "impact_2_magnesium", all),
-      restitution_table(all),
-      oblique_table("impact_4_alumina", all),
-      oblique_table("impact_4_aluminium", all)};
+  const std::vector<ElasticImpact> first{elastic_impact("impact_1_glass", all),
+                                         elastic_impact("impact_1_limestone", all)},
+      second{elastic_impact("impact_2_aluminium", all), elastic_impact("impact_2_magnesium", all)};
+  return {elastic_table("Test 1: two spheres, without damping", first, all),
+          elastic_table("Test 2: a sphere and a rigid wall, without damping", second, all),
+          force_table(1, first[0], all),
+          force_table(1, first[1], all),
+          force_table(2, second[0], all),
+          force_table(2, second[1], all),
+          restitution_table(all),
+          oblique_table("impact_4_alumina", all),
+          oblique_table("impact_4_aluminium", all)};
 }
 
 }  // namespace warpgrain::cli

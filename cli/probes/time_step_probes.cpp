@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <map>
 #include <random>
 
 #include "cli/probes/impact.hpp"
@@ -83,8 +84,17 @@ ParticleState oblique_after(const ProbeBench& bench, double share_of_rayleigh_ti
                    });
 }
 
+// In small steps; computed once for each model.
+const ParticleState& fine_oblique(const ProbeBench& bench) {
+  static std::map<ContactModel, ParticleState> known;
+  const auto [found, is_new] = known.try_emplace(bench.model());
+  if (is_new) found->second = oblique_after(reference_bench(bench), 1e-3);
+  return found->second;
+}
+
 ProbeReading oblique(const ProbeBench& bench, double x) {
-  const ParticleState seen = oblique_after(bench, x), fine = oblique_after(reference_bench(bench), 1e-3);
+  const ParticleState seen = oblique_after(bench, x);
+  const ParticleState& fine = fine_oblique(bench);
   const double spin = seen.angular_velocity[0].y(), expected = fine.angular_velocity[0].y();
   return {std::max((seen.velocity[0] - fine.velocity[0]).norm(), r * std::abs(spin - expected)),
           fmt::format("spin {:.4g} rad/s, with small steps {:.4g}", spin, expected)};

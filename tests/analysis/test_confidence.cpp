@@ -55,5 +55,11 @@ TEST(Confidence, ClaimsDifferencesAsOftenAsItSays) {
   EXPECT_GT(true_claims / double{repeats}, 0.98);
 }
 
+// t of 1 - 0.025 / 10 with 8 degrees of freedom is 3.833 (any table).
+TEST(Confidence, ManyComparisonsWidenTheIntervalOfEach) {
+  const std::array a{1.0, 2.0, 3.0, 4.0, 5.0}, b{2.0, 3.0, 4.0, 5.0, 6.0};
+  EXPECT_NEAR(*difference_of_means(a, b, 10).half_width, 3.833 * std::sqrt(2 * 2.5 / 5), 1e-3);
+}
+
 }  // namespace
 }  // namespace warpgrain

@@ -20,8 +20,8 @@ struct DetectorCall {
 inline std::string two_spheres(double radius, double distance, double speed) {
   return fmt::format(R"([
     {{ "material": "glass", "radius": {0}, "position": [0, 0, 0], "velocity": [{2}, 0, 0] }},
-    {{ "material": "glass", "radius": {0}, "position": [{1}, 0, 0], "velocity": [-{2}, 0, 0] }} ])",
-                     radius, distance, speed / 2);
+    {{ "material": "glass", "radius": {0}, "position": [{1}, 0, 0], "velocity": [{3}, 0, 0] }} ])",
+                     radius, distance, speed / 2, -speed / 2);
 }
 
 // Two spheres each, of which the same parts of the model are needed: a back end compiles once.
@@ -38,7 +38,8 @@ inline std::vector<DetectorCall> detector_calls() {
            {"step ", "particle ", "left the domain"}),
       call("an overlap beyond the model", two_spheres(0.005, 0.0101, 200), 1e-6, 200, 2,
            {"step ", "particle 0", "of its radius"}),
-      call("centres coincide", two_spheres(0.005, 0, 0), 1e-6, 1, 2, {"particle 0", "particle 1"}),
+      call("centres coincide", two_spheres(0.005, 0, 0), 1e-6, 1, 2,
+           {"particles 0 and 1 start at the same point"}),
       call("energy without a source", two_spheres(0.005, 0.01, 2), 6e-4, 20, 2,
            {"step ", "particle ", "without a source"}),
       call("a time step too large", two_spheres(0.005, 0.011, 0.01), 6e-4, 1, 0,

@@ -26,7 +26,6 @@ TEST_F(Detectors, FireOnEveryBackEnd) {
           << where.name << ": " << bad.what;
       for (const std::string& words : bad.says)
         EXPECT_THAT(err_, HasSubstr(words)) << where.name << ": " << bad.what;
-      if (bad.status != 0) EXPECT_EQ(error_lines(), 1U) << where.name << ": " << err_;
     }
   }
 }
@@ -34,10 +33,12 @@ TEST_F(Detectors, FireOnEveryBackEnd) {
 // What the monitor would refuse first: the kernels themselves.
 TEST(DetectorsOfKernels, NoForceOfCoincidentCentresIsSilent) {
   ExampleScene example;
-  example.particles = two_spheres(0.005, 0, 0);
+  example.particles = two_spheres(0.005, 0.009, 0);
+  Scene scene = example.scene();
+  scene.particles.position[1] = scene.particles.position[0];
   for (const Backend& where : backends()) {
     if (!where.lacks().empty()) continue;
-    EXPECT_THROW(where.create(example.scene(), Variant(), {})->step(1), InputError) << where.name;
+    EXPECT_THROW(where.create(scene, Variant(), {})->step(1), SimulationError) << where.name;
   }
 }
 
