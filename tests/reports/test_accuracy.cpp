@@ -32,10 +32,16 @@ AccuracyReport study() {
   report.particles = 1000;
   report.time_step = 1e-5;
   report.seeds = 4;
+  report.cost_particles = 2000;
+  report.machine = "machine";
+  report.measured = "device, bed, 1,000 particles";
   report.cases = {accuracy_case("plain", 1000, 1e-5), accuracy_case("double", 1500, 1e-13),
                   accuracy_case("worse", 1200, 1e-4), accuracy_case("plain", 1000, 1e-4)};
   report.cases[1].trajectory = {{}, 0.05, 1e-9};
   report.cases[1].seconds = 0.001;
+  report.cases[1].predicted_seconds = 0.002;
+  report.cases[1].measured_seconds = 0.004;
+  report.cases[3].measured_seconds = 0.002;
   report.cases[1].ensemble = {{"packing fraction", "", 0.61, 0.01, 0.001, 0.002, false},
                               {"flow rate", "1/s", 110, 2, 10, 3, true}};
   report.cases[3].step_factor = 4;
@@ -52,6 +58,16 @@ TEST(AccuracyReport, FrontIsWhatNothingBeats) {
   EXPECT_DOUBLE_EQ(report.cases[1].relative_cost, 1.5);
   EXPECT_DOUBLE_EQ(report.cases[3].relative_cost, 0.25);
   EXPECT_EQ(report.cases[3].name(), "plain, 4 x step");
+}
+
+TEST(AccuracyReport, AnotherCostRanksOtherwise) {
+  AccuracyReport report = study();
+  report.cost = "measured_seconds";
+  rank_cases(report);
+  EXPECT_EQ(report.cases[0].relative_cost, 0);  // not measured
+  EXPECT_DOUBLE_EQ(report.cases[1].relative_cost, 1);
+  EXPECT_DOUBLE_EQ(report.cases[3].relative_cost, 0.125);  // half the time, steps four times as large
+  EXPECT_THAT(text_accuracy(report), HasSubstr("cost is measured time; costs of 2,000 particles"));
 }
 
 TEST(AccuracyReport, WhatFailedIsOnNoFront) {

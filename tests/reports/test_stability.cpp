@@ -51,6 +51,23 @@ TEST(StabilityReport, SaysHowFarItIsRight) {
   EXPECT_EQ(share_of_range(report.probes[0], report.cells[2]), 0);
 }
 
+TEST(StabilityReport, LimitsAreToldInASecondUnit) {
+  StabilityReport report = atlas();
+  report.probes[0].other_unit = "km/h";
+  report.probes[0].others_in_unit = 3.6;
+  EXPECT_EQ(limits_text(report.probes[0], report.cells[1]),
+            "right to 0.1 (0.36 km/h), degraded to 0.05 (0.18 km/h), then wrong: 0.4, expected 0.8");
+  EXPECT_THAT(stability_json(report), HasSubstr("others_in_unit"));
+}
+
+TEST(StabilityReport, MarkdownHasARowForEveryLimit) {
+  const std::string text = markdown_stability(atlas());
+  EXPECT_THAT(text, HasSubstr("| speed | 1 to 0.0001 m/s | all of it | all of it |  | a |"));
+  EXPECT_THAT(text, HasSubstr("| speed | 1 to 0.0001 m/s | 0.1 | 0.05 | wrong: 0.4, expected 0.8 | b<i> |"));
+  EXPECT_THAT(text, HasSubstr("| - | - | refused: step 3: particle 0 left | c |"));
+  EXPECT_THAT(text, HasSubstr("not applicable | d |"));
+}
+
 TEST(StabilityReport, JsonFollowsItsSchemaAndThePageIsWellFormed) {
   const TemporaryFolder folder;
   write_file_atomically(folder / "atlas.json", stability_json(atlas()));

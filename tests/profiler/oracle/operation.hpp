@@ -2,9 +2,11 @@
 // What an instruction computes for one lane: a function from the bits of its inputs to the bits of its
 // result. Written from NVIDIA, "Parallel Thread Execution ISA", and from nothing of the simulator's.
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <functional>
+#include <type_traits>
 #include <vector>
 
 #include "tests/profiler/oracle/modifiers.hpp"
@@ -40,6 +42,15 @@ Bits bits_of(T value) {
   Bits bits = 0;
   std::memcpy(&bits, &value, sizeof value);
   return bits;
+}
+
+// What .ftz makes of a value: doubles and integers stay.
+template <class T>
+T flushed(T x) {
+  if constexpr (std::is_same_v<T, float>)
+    return std::fpclassify(x) == FP_SUBNORMAL ? std::copysign(0.0f, x) : x;
+  else
+    return x;
 }
 
 // Calls `function` with a value of the C++ integer that has the type's width and signedness.

@@ -42,11 +42,16 @@ Operation setp(const ptx::Statement& s, Modifiers& modifiers) {
   const std::string name = modifiers.take_one_of({"eq", "ne", "lt", "le", "gt", "ge", "equ", "neu", "ltu",
                                                   "leu", "gtu", "geu", "num", "nan", "lo", "ls", "hi", "hs"});
   const std::string combination = modifiers.take_one_of({"and", "or", "xor"});
+  const bool flushes = modifiers.take("ftz");
   const ptx::ScalarType type = modifiers.take_type();
-  const Compare relation =
+  Compare relation =
       type.is_float() ? with_float(s, type, [&](auto sample) { return of_floats<decltype(sample)>(name); })
                       : with_integer(s, type, [&](auto sample) { return ordered<decltype(sample)>(name); });
   if (!relation) refuse(s, "the comparison");
+  if (flushes && type.bits == 32)
+    relation = [exact = relation](Bits a, Bits b) {
+      return exact(bits_of(flushed(value_of<float>(a))), bits_of(flushed(value_of<float>(b))));
+    };
   Operation operation{{type, type}, ptx::predicate_type, {}};
   if (combination.empty()) {
     operation.compute = [relation](const Bits* in) { return Bits{relation(in[0], in[1])}; };

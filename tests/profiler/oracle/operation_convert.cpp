@@ -72,13 +72,14 @@ Bits half_nearest(float x) {
 Operation conversion(const ptx::Statement& s) {
   Modifiers modifiers(s);
   const std::string rounding = modifiers.take_one_of({"rn", "rni", "rzi", "rmi", "rpi"});
-  const bool saturates = modifiers.take("sat");
+  const bool flushes = modifiers.take("ftz"), saturates = modifiers.take("sat");
   const ptx::ScalarType to = modifiers.take_type(), from = modifiers.take_type();
   modifiers.finish();
   if (from.is_float() && from.bits == 16 && to.is_float() && to.bits == 32)
     return {{from}, to, [](const Bits* in) { return bits_of(value_of_half(in[0])); }};
   if (to.is_float() && to.bits == 16 && from.is_float() && from.bits == 32 && rounding == "rn")
     return {{from}, to, [](const Bits* in) { return half_nearest(value_of<float>(in[0])); }};
+  const auto flushing = [flushes](auto x) { return flushes ? flushed(x) : x; };
   if (saturates && (to.is_float() || from.is_float())) refuse(s, ".sat between integers alone");
   Operation operation{{from}, to, {}};
   operation.compute = with_number(s, from, [&](auto source) {
@@ -86,12 +87,12 @@ Operation conversion(const ptx::Statement& s) {
     return with_number(s, to, [&](auto target) -> std::function<Bits(const Bits*)> {
       using To = decltype(target);
       if constexpr (std::is_floating_point_v<From> && std::is_floating_point_v<To>)
-        return [rounding](const Bits* in) {
-          return bits_of(static_cast<To>(integral(rounding, value_of<From>(in[0]))));
+        return [rounding, flushing](const Bits* in) {
+          return bits_of(flushing(static_cast<To>(integral(rounding, flushing(value_of<From>(in[0]))))));
         };
       else if constexpr (std::is_floating_point_v<From>)
-        return [rounding](const Bits* in) {
-          return bits_of(clamped<To>(integral(rounding, value_of<From>(in[0]))));
+        return [rounding, flushing](const Bits* in) {
+          return bits_of(clamped<To>(integral(rounding, flushing(value_of<From>(in[0])))));
         };
       else if constexpr (std::is_floating_point_v<To>)
         return [](const Bits* in) { return bits_of(static_cast<To>(value_of<From>(in[0]))); };

@@ -10,9 +10,6 @@
 namespace warpgrain::oracle {
 namespace {
 
-float flushed(float x) { return std::fpclassify(x) == FP_SUBNORMAL ? std::copysign(0.0f, x) : x; }
-double flushed(double x) { return x; }
-
 // .sat: to [0, 1], NaN to 0.
 template <class T>
 T saturated(T x) {
