@@ -7,6 +7,7 @@
 
 #include "analysis/machine.hpp"
 #include "core/error.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace warpgrain {
 namespace {
@@ -98,7 +99,8 @@ TEST(Machine, UnknownNamesAreAnsweredWithThoseThatShip) {
 }
 
 TEST(Machine, AFileOfOnesOwnWillDo) {
-  const std::string path = testing::TempDir() + "own_machine.json";
+  const TemporaryFolder folder;
+  const std::string path = (folder / "own_machine.json").string();
   std::ofstream(path) << R"({ "format": "warpgrain.machine/1", "name": "own", "description": "d",
   "warp_width": { "value": 64, "source": "s" }, "multiprocessors": { "value": 2, "source": "s" },
   "lanes": { "value": 64, "source": "s" }, "sfu_lanes": { "value": 16, "source": "s" },

@@ -10,19 +10,12 @@
 #include <vector>
 
 #include "cli/app.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace warpgrain::cli {
 
 class CommandTest : public testing::Test {
  protected:
-  void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::path(testing::TempDir()) / (std::string("warpgrain_") + test->name());
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   int call(std::vector<std::string> words) {
     words.insert(words.begin(), "warpgrain");
     std::vector<const char*> argv;
@@ -52,7 +45,7 @@ class CommandTest : public testing::Test {
     return static_cast<std::size_t>(std::count(err_.begin(), err_.end(), '\n'));
   }
 
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
   std::string out_, err_;
 };
 

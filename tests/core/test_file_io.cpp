@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "core/file_io.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace warpgrain {
 namespace {
@@ -12,9 +13,7 @@ using testing::ThrowsMessage;
 
 class FileIo : public testing::Test {
  protected:
-  void SetUp() override { std::filesystem::create_directories(folder_); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-  const std::filesystem::path folder_ = std::filesystem::temp_directory_path() / "warpgrain_file_io_test";
+  const TemporaryFolder folder_;
 };
 
 TEST_F(FileIo, ReadsWhatItWrote) {
@@ -31,7 +30,7 @@ TEST_F(FileIo, RefusesLargeMissingAndOddFiles) {
               ThrowsMessage<InputError>(HasSubstr("7 bytes; expected at most 6 bytes")));
   EXPECT_THAT([&] { read_text_file(folder_ / "none", 6); },
               ThrowsMessage<InputError>(HasSubstr("none: no such file")));
-  EXPECT_THROW(read_text_file(folder_, 6), InputError);
+  EXPECT_THROW(read_text_file(folder_.path(), 6), InputError);
 }
 
 TEST_F(FileIo, SaysWhyAFileCannotBeWritten) {

@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "core/scene.hpp"
 #include "core/state_file.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace warpgrain {
 namespace {
@@ -229,18 +230,11 @@ TEST(Scene, SeedsMoveTheFill) {
 
 class SceneFiles : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() /
-              ("warpgrain_scene_" + std::to_string(::testing::UnitTest::GetInstance()->random_seed()) +
-               ::testing::UnitTest::GetInstance()->current_test_info()->name());
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
   std::string write(const std::string& name, const std::string& text) {
     std::ofstream(folder_ / name) << text;
     return (folder_ / name).string();
   }
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
 };
 
 std::string with_particles(const std::string& particles) {

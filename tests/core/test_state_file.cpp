@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/state_file.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace warpgrain {
 namespace {
@@ -83,17 +84,15 @@ INSTANTIATE_TEST_SUITE_P(
         BadState{"id,x,y,z,radius\n0,1,2,3,0\n", "state.csv: line 2: radius 0; expected a radius above 0"}));
 
 TEST(StateFile, WritesWholeFilesOrNone) {
-  const auto folder = std::filesystem::temp_directory_path() / "warpgrain_state_file_test";
-  std::filesystem::create_directories(folder);
+  const TemporaryFolder folder;
   write_state_file(folder / "state.csv", random_state(3));
   EXPECT_EQ(read_state_file(folder / "state.csv").size(), 3u);
   EXPECT_THROW(write_state_file(folder / "missing" / "state.csv", random_state(3)), InputError);
   std::filesystem::create_directories(folder / "taken.csv");
   EXPECT_THROW(write_state_file(folder / "taken.csv", random_state(3)), InputError);
   std::size_t n_files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) n_files += entry.is_regular_file();
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) n_files += entry.is_regular_file();
   EXPECT_EQ(n_files, 1u);  // no unfinished ones
-  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

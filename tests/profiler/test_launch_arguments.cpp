@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "profiler/launch_arguments.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace warpgrain::profiler {
 namespace {
@@ -83,7 +84,8 @@ TEST_F(LaunchArguments, FillRangeNoInitAndNull) {
 }
 
 TEST_F(LaunchArguments, FileBytes) {
-  const std::string path = testing::TempDir() + "launch_arguments.bin";
+  const TemporaryFolder folder;
+  const std::string path = (folder / "launch_arguments.bin").string();
   std::ofstream(path, std::ios::binary).write("\1\0\0\0\2\0\0\0\3\0\0\0\4\0\0\0", 16);
   given().file = path;
   EXPECT_THAT(values(bind().buffer.bytes()), ElementsAre(1, 2, 3, 4));

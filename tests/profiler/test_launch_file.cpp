@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "profiler/launch_file.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace warpgrain::profiler {
 namespace {
@@ -15,13 +16,6 @@ using testing::HasSubstr;
 
 class LaunchFiles : public testing::Test {
  protected:
-  LaunchFiles() {
-    std::string folder = testing::TempDir() + "launch_files_XXXXXX";
-    if (mkdtemp(folder.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    folder_ = folder;
-  }
-  ~LaunchFiles() override { std::filesystem::remove_all(folder_); }
-
   LaunchFile read(const std::string& text) {
     std::ofstream(folder_ / "x.sim") << text;
     return read_launch_file(folder_ / "x.sim");
@@ -35,7 +29,7 @@ class LaunchFiles : public testing::Test {
     return "no error";
   }
 
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(LaunchFiles, ReadsEverything) {

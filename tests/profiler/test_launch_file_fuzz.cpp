@@ -11,6 +11,7 @@
 
 #include "core/error.hpp"
 #include "profiler/launch_arguments.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace warpgrain::profiler {
 namespace {
@@ -19,13 +20,7 @@ constexpr std::uint32_t fuzz_seed = 20240603;
 
 class DamagedLaunchFiles : public testing::Test {
  protected:
-  DamagedLaunchFiles() {
-    std::string folder = testing::TempDir() + "damaged_launch_files_XXXXXX";
-    if (mkdtemp(folder.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    folder_ = folder;
-    std::ofstream(folder_ / "six.bin") << "sixsix";
-  }
-  ~DamagedLaunchFiles() override { std::filesystem::remove_all(folder_); }
+  DamagedLaunchFiles() { std::ofstream(folder_ / "six.bin") << "sixsix"; }
 
   // Reads the text and binds its arguments to the parameters of a kernel that the undamaged text is for.
   void expect_answer(const std::string& text) {
@@ -59,7 +54,7 @@ k.cl  kernel_name
 <size=128>
 <size=32 double fill=-1.5e3>
 )";
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
   std::size_t n_accepted_ = 0, n_refused_ = 0;
   const std::vector<KernelParameter> parameters_{
       {"a", 8, 8, KernelParameter::Pointer::global}, {"b", 8, 8, KernelParameter::Pointer::global},

@@ -15,6 +15,7 @@
 #include "core/error.hpp"
 #include "profiler/compiled_launches.hpp"
 #include "profiler/launch_file.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace warpgrain::profiler {
 namespace {
@@ -24,13 +25,6 @@ using testing::StartsWith;
 
 class ProfileLaunchFile : public testing::Test {
  protected:
-  ProfileLaunchFile() {
-    std::string folder = testing::TempDir() + "profile_launch_file_XXXXXX";
-    if (mkdtemp(folder.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    folder_ = folder;
-  }
-  ~ProfileLaunchFile() override { std::filesystem::remove_all(folder_); }
-
   void write(const std::string& name, const std::string& text) { std::ofstream(folder_ / name) << text; }
 
   LaunchFileResult profile(const std::string& launch, const ProfileOptions& options = {}) {
@@ -46,7 +40,7 @@ class ProfileLaunchFile : public testing::Test {
     return "no error";
   }
 
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
   std::ostringstream dump_;
 };
 

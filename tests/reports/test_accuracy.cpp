@@ -6,7 +6,7 @@
 #include "core/file_io.hpp"
 #include "reports/accuracy_report.hpp"
 #include "run_python.hpp"
-#include "temporary_folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace warpgrain::reports {
 namespace {

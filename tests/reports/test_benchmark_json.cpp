@@ -5,7 +5,7 @@
 #include "core/file_io.hpp"
 #include "reports/benchmark_json.hpp"
 #include "sample.hpp"
-#include "temporary_folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace warpgrain::reports {
 namespace {

@@ -11,7 +11,7 @@
 #include "reports/html/report_page.hpp"
 #include "reports/html/sweep_page.hpp"
 #include "sample.hpp"
-#include "temporary_folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace warpgrain::reports {
 namespace {

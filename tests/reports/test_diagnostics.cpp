@@ -10,7 +10,7 @@
 #include "reports/text_report.hpp"
 #include "run_python.hpp"
 #include "sample.hpp"
-#include "temporary_folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace warpgrain::reports {
 namespace {

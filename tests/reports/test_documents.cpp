@@ -10,7 +10,7 @@
 #include "core/file_io.hpp"
 #include "reports/report_json.hpp"
 #include "sample.hpp"
-#include "temporary_folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace warpgrain::reports {
 namespace {

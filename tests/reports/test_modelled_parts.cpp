@@ -7,7 +7,7 @@
 #include "reports/modelled_parts.hpp"
 #include "reports/report_json.hpp"
 #include "sample.hpp"
-#include "temporary_folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace warpgrain::reports {
 namespace {

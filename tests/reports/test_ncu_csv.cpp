@@ -4,7 +4,7 @@
 #include "core/error.hpp"
 #include "core/file_io.hpp"
 #include "reports/ncu_csv.hpp"
-#include "temporary_folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace warpgrain::reports {
 namespace {

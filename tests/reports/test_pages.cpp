@@ -8,7 +8,7 @@
 #include "reports/metrics.hpp"
 #include "run_python.hpp"
 #include "sample.hpp"
-#include "temporary_folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace warpgrain::reports {
 namespace {

@@ -3,7 +3,7 @@
 #include "core/file_io.hpp"
 #include "reports/ptx_files.hpp"
 #include "sample.hpp"
-#include "temporary_folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace warpgrain::reports {
 namespace {

@@ -11,7 +11,7 @@
 #include "reports/report_json.hpp"
 #include "run_python.hpp"
 #include "sample.hpp"
-#include "temporary_folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace warpgrain::reports {
 namespace {

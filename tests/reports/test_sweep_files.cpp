@@ -10,7 +10,7 @@
 #include "reports/sweep_columns.hpp"
 #include "reports/table_files.hpp"
 #include "sample.hpp"
-#include "temporary_folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace warpgrain::reports {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "reports/vtk_file.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace warpgrain::reports {
 namespace {
@@ -24,7 +25,8 @@ ParticleState two_particles() {
 }
 
 TEST(VtkFile, BlocksStandAtTheirOffsets) {
-  const auto path = std::filesystem::path(testing::TempDir()) / "two.vtp";
+  const TemporaryFolder folder;
+  const auto path = folder / "two.vtp";
   write_vtk_particles(path, two_particles());
   std::ifstream in(path, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(in), {}};

@@ -1,6 +1,5 @@
 // What a user who writes kernels is told, whatever compiles them.
 
-#include <filesystem>
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,6 +7,7 @@
 #include "core/error.hpp"
 #include "random_bed.hpp"
 #include "variants/backend.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace warpgrain {
 namespace {
@@ -16,18 +16,13 @@ using testing::HasSubstr;
 
 class BrokenKernels : public testing::TestWithParam<const char*> {
  protected:
-  BrokenKernels()
-      : folder_(std::filesystem::path(testing::TempDir()) / (std::string("broken_kernels_") + GetParam())) {
-    std::filesystem::create_directories(folder_);
-  }
-  ~BrokenKernels() override { std::filesystem::remove_all(folder_); }
   void SetUp() override {
     if (const std::string lack = backend(GetParam()).lacks(); !lack.empty()) GTEST_SKIP() << lack;
   }
   std::string message_with(const std::string& name, const std::string& text) const {
     std::ofstream(folder_ / name) << text;
     BackendOptions options;
-    options.kernel_folder = folder_.string();
+    options.kernel_folder = folder_.path().string();
     try {
       backend(GetParam())
           .create(random_bed({.n_particles = 10}), Variant::parse(Variant().name() + "/model=full"), options);
@@ -37,7 +32,7 @@ class BrokenKernels : public testing::TestWithParam<const char*> {
     return "accepted";
   }
 
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
 };
 INSTANTIATE_TEST_SUITE_P(EveryCompiler, BrokenKernels, testing::Values("opencl", "simt"),
                          [](const auto& name) { return std::string(name.param); });

@@ -5,6 +5,7 @@
 
 #include "core/error.hpp"
 #include "variants/kernel_sources.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace warpgrain {
 namespace {
@@ -14,12 +15,6 @@ using testing::Not;
 
 class KernelFolder : public testing::Test {
  protected:
-  KernelFolder()
-      : folder_(std::filesystem::path(testing::TempDir()) /
-                testing::UnitTest::GetInstance()->current_test_info()->name()) {
-    std::filesystem::create_directories(folder_);
-  }
-  ~KernelFolder() override { std::filesystem::remove_all(folder_); }
   void write(const std::string& name, const std::string& text) { std::ofstream(folder_ / name) << text; }
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
@@ -32,7 +27,7 @@ class KernelFolder : public testing::Test {
     return "accepted";
   }
 
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(KernelFolder, BundlesTheEmbeddedFilesWithTrueLines) {
@@ -48,7 +43,7 @@ TEST_F(KernelFolder, ShadowsTheEmbeddedFilesAndIncludesEachOnce) {
   write("integrate.cl", "first\n#include \"a.h\"\n  #  include \"a.h\"\nlast");
   write("a.h", "inside\n");
   const std::vector<std::string> files{"integrate.cl"};
-  EXPECT_EQ(KernelSources(folder_).bundle(files), "#line 1 \"" + path("integrate.cl") +
+  EXPECT_EQ(KernelSources(folder_.path()).bundle(files), "#line 1 \"" + path("integrate.cl") +
                                                       "\"\nfirst\n#line 1 \"" + path("a.h") +
                                                       "\"\ninside\n#line 3 \"" + path("integrate.cl") +
                                                       "\"\n#line 4 \"" + path("integrate.cl") + "\"\nlast\n");
@@ -59,7 +54,7 @@ TEST_F(KernelFolder, LinesAreTrueBehindAnIncludeThatIsLeftOut) {
   write("integrate.cl", "#ifdef NEVER\n#include \"a.h\"\n#else\nfourth\n#endif\nsixth");
   write("a.h", "one\ntwo\n");
   const std::vector<std::string> files{"integrate.cl"};
-  const std::string text = KernelSources(folder_).bundle(files);
+  const std::string text = KernelSources(folder_.path()).bundle(files);
   EXPECT_THAT(text, HasSubstr("#else\n#line 4 \"" + path("integrate.cl") + "\"\nfourth\n"));
   EXPECT_THAT(text, HasSubstr("#endif\n#line 6 \"" + path("integrate.cl") + "\"\nsixth\n"));
 }
@@ -67,13 +62,13 @@ TEST_F(KernelFolder, LinesAreTrueBehindAnIncludeThatIsLeftOut) {
 TEST_F(KernelFolder, NamesTheLineThatIncludesAMissingFile) {
   write("integrate.cl", "first\n#include \"gone.h\"\n");
   const std::vector<std::string> files{"integrate.cl"};
-  EXPECT_EQ(message_of([&] { KernelSources(folder_).bundle(files); }),
+  EXPECT_EQ(message_of([&] { KernelSources(folder_.path()).bundle(files); }),
             path("integrate.cl") + ":2: no kernel file 'gone.h'");
 }
 
 TEST_F(KernelFolder, RefusesAFolderThatIsNotThereOrHoldsNoKernel) {
   EXPECT_THAT(message_of([&] { KernelSources(folder_ / "none"); }), HasSubstr("none: not a folder"));
-  EXPECT_THAT(message_of([&] { KernelSources sources(folder_); }), HasSubstr("no kernel file there"));
+  EXPECT_THAT(message_of([&] { KernelSources sources(folder_.path()); }), HasSubstr("no kernel file there"));
 }
 
 }  // namespace

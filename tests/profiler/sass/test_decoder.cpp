@@ -9,6 +9,7 @@
 
 #include "profiler/sass/decoder.hpp"
 #include "tests/profiler/sass/listing.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace warpgrain::profiler::sass {
 namespace {
@@ -138,11 +139,9 @@ TEST(Decoder, AgreesWithListings) {
 TEST(Decoder, AgreesWithTheListingsOfTheReadings) {
   const std::filesystem::path archive =
       std::filesystem::path(WARPGRAIN_SOURCE_DIR) / "reports/measured/exactness/h100.tar.xz";
-  const std::filesystem::path folder =
-      std::filesystem::path(testing::TempDir()) / fmt::format("warpgrain_listings_{}", getpid());
-  std::filesystem::create_directories(folder);
+  const TemporaryFolder folder;
   const std::string command =
-      fmt::format("tar -xJf '{}' -C '{}' code 2>&1", archive.string(), folder.string());
+      fmt::format("tar -xJf '{}' -C '{}' code 2>&1", archive.string(), folder.path().string());
   if (std::system("xz --version > /dev/null 2>&1") != 0)
     GTEST_SKIP() << "xz, which unpacks the readings, is missing";
   ASSERT_EQ(std::system(command.c_str()), 0) << command;
@@ -154,7 +153,6 @@ TEST(Decoder, AgreesWithTheListingsOfTheReadings) {
     EXPECT_GT(of_file, 0U) << entry.path();
     compared += of_file;
   }
-  std::filesystem::remove_all(folder);
   EXPECT_GE(files, 62U);
   EXPECT_GE(compared, 5000U);
 }

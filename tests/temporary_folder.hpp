@@ -1,11 +1,14 @@
 #pragma once
-// A folder of its own for a test, removed with all that is in it.
+// A folder of its own for a test, removed with all that is in it. CTest runs tests at the same time, so that no two may
+// share a name.
 
+#include <cerrno>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <system_error>
 
-namespace warpgrain::reports {
+namespace warpgrain {
 
 class TemporaryFolder {
  public:
@@ -18,11 +21,11 @@ class TemporaryFolder {
   ~TemporaryFolder() { std::filesystem::remove_all(path_); }
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+  std::filesystem::path operator/(const std::filesystem::path& name) const { return path_ / name; }
   const std::filesystem::path& path() const { return path_; }
 
  private:
   std::filesystem::path path_;
 };
 
-}  // namespace warpgrain::reports
+}  // namespace warpgrain
