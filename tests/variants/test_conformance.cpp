@@ -33,6 +33,9 @@ struct Case {
   std::vector<ModelOptions> options;
   KernelCompiler compiler = KernelCompiler::clang;
 };
+void PrintTo(const Case& which, std::ostream* out) {
+  *out << which.backend->name << ' ' << which.variant.name();
+}
 
 std::vector<ModelOptions> every_option() {
   std::vector<ModelOptions> all;
