@@ -12,13 +12,17 @@
 #include "cli/common_options.hpp"
 #include "cli/help_text.hpp"
 #include "cli/output.hpp"
+#include "cli/paper_variants.hpp"
 #include "cli/progress.hpp"
 #include "cli/run_loop.hpp"
 #include "cli/step_timing.hpp"
+#include "cli/sweep_plan.hpp"
 #include "core/candidate_census.hpp"
 #include "core/contact_history.hpp"
 #include "core/error.hpp"
 #include "profiler/observers/path_census.hpp"
+#include "reports/document_format.hpp"
+#include "reports/measured_report.hpp"
 #include "reports/paper_rows.hpp"
 #include "reports/run_report.hpp"
 #include "variants/step_profile.hpp"
@@ -38,8 +42,9 @@ struct Options {
   std::uint64_t samples = 4;
   std::uint64_t timed_steps = 20;
   bool until_rest = false;
-  std::string machine;
+  std::string machine = "hopper_h100";
   std::vector<std::string> measured;
+  std::vector<std::string> axis;
 };
 
 // The paper's kernels compute all of the model, whatever the scene.
@@ -171,8 +176,14 @@ int paper(const Options& options) {
   if (options.samples == 0) throw_input_error("--samples", "0", "a number above 0");
   reports::PaperFacts facts;
   facts.paper_machine = load_machine(paper_machine);
-  if (!options.machine.empty()) facts.machine = load_machine(options.machine);
-  for (const std::string& file : options.measured) facts.timings.push_back(timing_from(file));
+  facts.machine = load_machine(options.machine);
+  const std::vector<Variant> variants = swept_variants(options.axis);
+  std::vector<MeasuredStep> measured_steps;
+  for (const std::string& file : options.measured)
+    if (reports::format_of(file) == reports::measured_format)
+      measured_steps.push_back(measured_step(file));
+    else
+      facts.timings.push_back(timing_from(file));
 
   Progress progress(options.output.quiet);
   reports::PaperReport report;
@@ -189,9 +200,13 @@ int paper(const Options& options) {
   report.paths = paths_of(census, facts.practical.forces().kernel);
   const auto here = timings_here(scene, options, progress);
   facts.timings.insert(facts.timings.begin(), here.begin(), here.end());
-  progress.clear();
-
   reports::add_paper_rows(report, facts);
+  std::vector<Machine> machines{facts.paper_machine};
+  if (facts.machine->name != facts.paper_machine.name) machines.push_back(*facts.machine);
+  const auto rows =
+      variant_rows(scene, variants, machines, options.device.backend_options(), measured_steps, progress);
+  report.rows.insert(report.rows.end(), rows.begin(), rows.end());
+  progress.clear();
   if (!options.output.json.empty()) write_output(options.output.json, reports::paper_json(report));
   if (options.output.summary()) std::cout << reports::text_paper(report);
   return 0;
@@ -209,6 +224,7 @@ void add_paper_command(CLI::App& app, Action& chosen) {
   add_option(command, "--timed-steps", options->timed_steps);
   add_option(command, "--measured", options->measured);
   add_option(command, "--machine", options->machine);
+  add_option(command, "--axis", options->axis);
   options->device.add_to(command);
   options->output.add_to(command);
   command.callback([options, &chosen] { chosen = [options] { return paper(*options); }; });

@@ -195,8 +195,8 @@ TEST_F(Commands, PaperPutsEveryFigureBesideItsReadings) {
             0)
       << err_;
   ASSERT_EQ(call({"paper", "--scene", "settled_bed", "--particles", "200", "--steps", "20", "--samples", "2",
-                  "--timed-steps", "5", "--machine", "hopper_h100", "--measured", path("run.json"), "--json",
-                  path("p.json")}),
+                  "--timed-steps", "5", "--machine", "hopper_h100", "--axis", "search=cells,verlet",
+                  "--measured", path("run.json"), "--json", path("p.json")}),
             0)
       << err_;
   const auto paper = nlohmann::json::parse(read_text_file(path("p.json"), 1 << 20));
@@ -212,6 +212,18 @@ TEST_F(Commands, PaperPutsEveryFigureBesideItsReadings) {
       EXPECT_THAT(row["measured"][1]["on"].get<std::string>(), HasSubstr("run.json: "));
     }
   EXPECT_TRUE(found);
+  std::vector<std::string> variants;
+  for (const auto& row : paper["rows"])
+    if (row["section"] == "variants") {
+      variants.push_back(row["quantity"]);
+      EXPECT_GT(row["simulated"].get<double>(), 0);
+      EXPECT_THAT(row["remark"].get<std::string>(),
+                  testing::StartsWith(variants.back().ends_with("hopper_h100") ? "predicted" : "at least"));
+    }
+  EXPECT_THAT(variants, testing::ElementsAre("branchy/cells/cell/fp32/default on fermi_c2050",
+                                             "branchy/cells/cell/fp32/default on hopper_h100",
+                                             "branchy/verlet/cell/fp32/default on fermi_c2050",
+                                             "branchy/verlet/cell/fp32/default on hopper_h100"));
   EXPECT_THAT(out_, HasSubstr("27 sqrt(2) is 38.2"));
   EXPECT_EQ(call({"paper", "--samples", "0"}), 2);
   EXPECT_EQ(call({"paper", "--measured", path("none.json")}), 2);
