@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "cli/help_text.hpp"
+#include "cli/interrupt.hpp"
 #include "cli/output.hpp"
 #include "core/error.hpp"
 #include "reports/generator.hpp"
@@ -113,6 +114,9 @@ int run_app(int argc, const char* const* argv) {
     return status;
   } catch (const InputError& error) {
     return fail(error.what());
+  } catch (const Interrupted&) {
+    std::cerr << "warpgrain: interrupted\n";
+    return interrupted_status;
   } catch (const std::bad_alloc&) {
     return fail("warpgrain: not enough memory for this call");
   } catch (const std::exception& error) {

@@ -10,8 +10,10 @@
 #include <string>
 
 #include "cli/app.hpp"
+#include "cli/checkpoint.hpp"
 #include "cli/common_options.hpp"
 #include "cli/help_text.hpp"
+#include "cli/interrupt.hpp"
 #include "cli/modelled_parts.hpp"
 #include "cli/output.hpp"
 #include "cli/run_loop.hpp"
@@ -37,7 +39,8 @@ struct RunOptions {
   bool until_rest = false;
   bool against_full = false;
   std::uint64_t sample_every = 0;
-  std::string state_file, vtk_folder;
+  std::string state_file, vtk_folder, checkpoint;
+  bool resume = false;
 };
 
 RunGoal requested_goal(const RunOptions& options, const Scene& scene) {
@@ -46,6 +49,27 @@ RunGoal requested_goal(const RunOptions& options, const Scene& scene) {
   if (options.until_rest) goal = {{}, rest_of(scene), 0};
   goal.sample_every = options.sample_every;
   return goal;
+}
+
+// What is left of the goal after `steps`, sampled where the whole would be.
+RunGoal remaining(RunGoal goal, std::uint64_t steps) {
+  if (!goal.steps) return goal;
+  if (goal.sample_every == 0) goal.sample_every = std::max<std::uint64_t>(1, *goal.steps / 100);
+  goal.steps = *goal.steps - std::min(*goal.steps, steps);
+  return goal;
+}
+
+void add_kernels(std::vector<reports::RunReport::Kernel>& kernels, const std::vector<KernelTiming>& timings) {
+  for (const KernelTiming& timing : timings) {
+    const auto found = std::find_if(kernels.begin(), kernels.end(),
+                                    [&](const auto& kernel) { return kernel.name == timing.kernel; });
+    if (found == kernels.end()) {
+      kernels.push_back({timing.kernel, timing.calls, timing.seconds});
+    } else {
+      found->calls += timing.calls;
+      found->seconds += timing.seconds;
+    }
+  }
 }
 
 // The same steps with the full model: how long they take, and where the particles are in the end.
@@ -83,8 +107,6 @@ int run(const RunOptions& options) {
   if (const std::string warning = time_step_warning(scene.time_step, limits); !warning.empty())
     warn_of({warning});
   if (!options.vtk_folder.empty()) make_folder(options.vtk_folder);
-  const auto simulation =
-      chosen_backend.create(scene, variant, options.device.backend_options(chosen_backend.name));
 
   reports::RunReport report;
   report.generator = reports::this_generator();
@@ -92,15 +114,27 @@ int run(const RunOptions& options) {
   report.scene = scene.name;
   report.variant = variant.name();
   report.backend = chosen_backend.name;
-  report.device = simulation->device();
   report.model = modelled_parts(scene, variant, chosen_backend.name);
   report.particles = scene.particles.size();
   report.time_step = scene.time_step;
+  if (options.resume) {
+    const reports::RunReport earlier = read_checkpoint(options.checkpoint, report, scene);
+    report.steps = earlier.steps;
+    report.wall_seconds = earlier.wall_seconds;
+    report.kernels = earlier.kernels;
+    report.energy = earlier.energy;
+  }
+  const std::uint64_t steps_before = report.steps;
+  const auto simulation =
+      chosen_backend.create(scene, variant, options.device.backend_options(chosen_backend.name));
+  report.device = simulation->device();
+
   RunMonitor monitor(scene);
   const auto sample = [&] {
-    const std::uint64_t step = simulation->steps_done();
+    const std::uint64_t step = steps_before + simulation->steps_done();
     const ParticleState state = simulation->state();
     warn_of(monitor.look(step, state));
+    if (!report.energy.empty() && report.energy.back().step == step) return;  // the checkpoint's last
     const Energy& energy = monitor.energy();
     report.energy.push_back({step, static_cast<double>(step) * scene.time_step, energy.kinetic_translational,
                              energy.kinetic_rotational, energy.gravitational,
@@ -110,20 +144,24 @@ int run(const RunOptions& options) {
           std::filesystem::path(options.vtk_folder) / fmt::format("particles_{:09}.vtp", step), state);
   };
   Progress progress(options.output.quiet);
-  const RunOutcome outcome = run_to_goal(*simulation, requested_goal(options, scene), sample, progress);
+  const InterruptWatch watch;
+  const RunOutcome outcome =
+      run_to_goal(*simulation, remaining(requested_goal(options, scene), steps_before), sample, progress);
   progress.clear();
 
-  report.steps = simulation->steps_done();
-  report.wall_seconds = outcome.wall_seconds;
-  report.ended_by = outcome.at_rest                    ? reports::RunEndReason::at_rest
+  report.steps = steps_before + simulation->steps_done();
+  report.wall_seconds += outcome.wall_seconds;
+  report.ended_by = outcome.interrupted                ? reports::RunEndReason::interrupted
+                    : outcome.at_rest                  ? reports::RunEndReason::at_rest
                     : scene.end.time && !options.steps ? reports::RunEndReason::time
                                                        : reports::RunEndReason::steps;
   report.contacts = simulation->contact_count();
-  for (const KernelTiming& timing : simulation->timings())
-    report.kernels.push_back({timing.kernel, timing.calls, timing.seconds});
+  add_kernels(report.kernels, simulation->timings());
 
-  if (options.against_full && report.steps > 0) run_full_model(scene, variant, options, *simulation, report);
+  if (options.against_full && report.steps > 0 && !outcome.interrupted)
+    run_full_model(scene, variant, options, *simulation, report);
 
+  if (!options.checkpoint.empty()) write_checkpoint(options.checkpoint, report, simulation->state());
   if (!options.state_file.empty()) write_state_file(options.state_file, simulation->state());
   if (!options.output.json.empty()) write_output(options.output.json, reports::run_json(report));
   if (options.output.summary())
@@ -133,7 +171,11 @@ int run(const RunOptions& options) {
                "\ntime step {:.3g} s{}; Rayleigh time {:.3g} s, Hertz contact time {:.3g} s at {:.3g} m/s\n",
                scene.time_step, advice ? ", " + advice->reason : std::string(), limits.rayleigh_time,
                limits.hertz_contact_time, limits.impact_speed);
-  return 0;
+  if (!outcome.interrupted) return 0;
+  std::cerr << fmt::format(
+      "warpgrain run: interrupted at step {}{}\n", report.steps,
+      options.checkpoint.empty() ? "" : "; the same call with --resume goes on from there");
+  return interrupted_status;
 }
 
 }  // namespace
@@ -146,9 +188,11 @@ void add_run_command(CLI::App& app, Action& chosen) {
   CLI::Option* steps = add_option(command, "--steps", options->steps);
   add_flag(command, "--until-rest", options->until_rest)->excludes(steps);
   add_option(command, "--sample-every", options->sample_every);
-  add_flag(command, "--against-full", options->against_full);
+  CLI::Option* against_full = add_flag(command, "--against-full", options->against_full);
   add_option(command, "--state", options->state_file);
   add_option(command, "--vtk", options->vtk_folder);
+  CLI::Option* checkpoint = add_option(command, "--checkpoint", options->checkpoint);
+  add_flag(command, "--resume", options->resume)->needs(checkpoint)->excludes(against_full);
   options->variant.add_to(command);
   options->device.add_to(command);
   options->device.add_keeping_to(command);

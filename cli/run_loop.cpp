@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 
+#include "cli/interrupt.hpp"
 #include "core/rest_criterion.hpp"
 #include "core/run_monitor.hpp"
 #include "variants/contact_laws.hpp"
@@ -55,7 +56,7 @@ RunOutcome run_to_goal(Simulation& simulation, const RunGoal& goal, const std::f
   if (goal.at_rest) rest.emplace(*goal.at_rest, simulation.steps_done(), simulation.state().position);
   sample();
   std::uint64_t step = 0, sampled_at = 0;
-  while (step < last && !outcome.at_rest) {
+  while (step < last && !outcome.at_rest && !interrupted()) {
     const std::uint64_t until =
         std::min({last, step + chunk, next_multiple(step, sample_every), next_multiple(step, window)});
     const auto start = Clock::now();
@@ -77,6 +78,7 @@ RunOutcome run_to_goal(Simulation& simulation, const RunGoal& goal, const std::f
                                        rate * 1e-6, rest->displacement())
                          : fmt::format("{:.2f} M particle-steps/s", rate * 1e-6));
   }
+  outcome.interrupted = step < last && !outcome.at_rest;
   if (sampled_at != step) sample();
   return outcome;
 }
@@ -92,13 +94,14 @@ Scene advanced(const Scene& scene, const Variant& variant, const BackendOptions&
   const auto simulation = backend("opencl").create(scene, variant, options);
   result.model.contact = contact_law(variant).model;
   RunMonitor monitor(result);
-  run_to_goal(
+  const RunOutcome outcome = run_to_goal(
       *simulation, {steps, {}, steps},
       [&] {
         result.particles = simulation->state();
         warn_of(monitor.look(simulation->steps_done(), result.particles));
       },
       progress);
+  if (outcome.interrupted) throw Interrupted();
   result.model.contact = scene.model.contact;
   make_antisymmetric(result.particles.contact_history);
   return result;

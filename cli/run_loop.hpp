@@ -29,9 +29,11 @@ RunEnd::AtRest rest_of(const Scene& scene);
 struct RunOutcome {
   double wall_seconds = 0;  // of the steps alone
   bool at_rest = false;
+  bool interrupted = false;  // by Ctrl-C, in a command that watches for it
 };
 
-// Calls `sample` before the first step, every `sample_every` steps and after the last step.
+// Calls `sample` before the first step, every `sample_every` steps and after the last step, which an
+// interrupt makes that of the present chunk.
 RunOutcome run_to_goal(Simulation& simulation, const RunGoal& goal, const std::function<void()>& sample,
                        Progress& progress);
 
@@ -39,7 +41,7 @@ RunOutcome run_to_goal(Simulation& simulation, const RunGoal& goal, const std::f
 void warn_of(const std::vector<std::string>& warnings);
 
 // The scene after `steps` steps of `variant` on the OpenCL device: what later runs and profiles start from,
-// so that a monitor looks at it.
+// so that a monitor looks at it. Throws Interrupted when Ctrl-C has come, in a command that watches for it.
 Scene advanced(const Scene& scene, const Variant& variant, const BackendOptions& options, std::uint64_t steps,
                Progress& progress);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fmt/format.h>
 #include <future>
 #include <iostream>
 #include <map>
@@ -15,6 +16,7 @@
 #include "cli/app.hpp"
 #include "cli/common_options.hpp"
 #include "cli/help_text.hpp"
+#include "cli/interrupt.hpp"
 #include "cli/output.hpp"
 #include "cli/profile_options.hpp"
 #include "cli/run_loop.hpp"
@@ -102,6 +104,7 @@ class Sweep {
   }
 
   int run() {
+    const InterruptWatch watch;
     open_index();
     prepare_common_state();
     time_all();
@@ -134,6 +137,7 @@ class Sweep {
     make_folder(setting_.folder);
     index_.emplace(setting_.folder, std::move(index));
     if (options_.resume) index_->resume();
+    n_cases_before_ = index_->index().cases.size();
     for (const Variant& variant : cases_)
       if (!index_->has(variant)) pending_.push_back({variant, row_of(variant)});
   }
@@ -169,6 +173,7 @@ class Sweep {
     for (std::size_t k = 0; k < pending_.size(); ++k) {
       progress_.update("timing", static_cast<double>(k) / static_cast<double>(pending_.size()),
                        pending_[k].variant.name());
+      if (interrupted()) throw Interrupted();
       attempt(pending_[k].row,
               [&] { pending_[k].row.backends = time_and_check(setting_, pending_[k].variant, reference); });
     }
@@ -185,7 +190,7 @@ class Sweep {
     const auto worker = [&] {
       for (;;) {
         std::unique_lock lock(mutex);
-        if (next == pending_.size()) return;
+        if (next == pending_.size() || interrupted()) return;
         Pending& pending = pending_[next++];
         progress_.update("profiling", static_cast<double>(finished) / static_cast<double>(pending_.size()),
                          pending.variant.name());
@@ -215,6 +220,13 @@ class Sweep {
                 << "\nreports: " << (setting_.folder / reports::sweep_index_name).string() << ", "
                 << (setting_.folder / "index.html").string() << ", and a report a case beside them\n";
     for (const std::string& trouble : reports::troubles_of(index)) std::cerr << trouble << '\n';
+    if (index.cases.size() < n_cases_before_ + pending_.size()) {
+      std::cerr << fmt::format(
+          "warpgrain sweep: interrupted after {} of {} cases; the same call with --resume does the "
+          "others\n",
+          index.cases.size(), n_cases_before_ + pending_.size());
+      return interrupted_status;
+    }
     for (const reports::SweepCase& row : index.cases)
       if (row.status == reports::CaseStatus::failed) return 2;
     return 0;
@@ -226,6 +238,7 @@ class Sweep {
   std::vector<Variant> cases_;     // of this shard
   SweepSetting setting_;
   std::optional<IndexFile> index_;
+  std::size_t n_cases_before_ = 0;  // by an earlier call
   std::vector<Pending> pending_;
 };
 

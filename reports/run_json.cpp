@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<std::string_view, 3> end_names{"steps", "time", "at_rest"};
+constexpr std::array<std::string_view, 4> end_names{"steps", "time", "at_rest", "interrupted"};
 
 Json to_json(const RunReport::Kernel& kernel) {
   return {{"name", kernel.name}, {"calls", kernel.calls}, {"seconds", kernel.seconds}};

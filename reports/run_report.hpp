@@ -15,8 +15,8 @@ namespace warpgrain::reports {
 
 inline constexpr std::string_view run_format = "warpgrain.run/1";
 
-// Which condition ended the run: the number of steps, the simulated time, or all particles at rest.
-enum class RunEndReason : std::uint8_t { steps, time, at_rest };
+// Which condition ended the run: the number of steps, the simulated time, all particles at rest, or Ctrl-C.
+enum class RunEndReason : std::uint8_t { steps, time, at_rest, interrupted };
 
 struct RunReport {
   struct Kernel {

@@ -45,7 +45,9 @@ std::string text_run(const RunReport& run) {
   text += fmt::format("{} steps of {} in {}: {:.3f} million particle-steps/s{}\n", count_text(run.steps),
                       seconds_text(run.time_step), seconds_text(run.wall_seconds),
                       run.particle_steps_per_second() * 1e-6,
-                      run.ended_by == RunEndReason::at_rest ? "; ends at rest" : "");
+                      run.ended_by == RunEndReason::at_rest       ? "; ends at rest"
+                      : run.ended_by == RunEndReason::interrupted ? "; interrupted"
+                                                                  : "");
   text += fmt::format("{} contacts at the end\n", count_text(run.contacts));
   text += text_modelled_parts(run.model);
   if (!run.energy.empty()) text.append("\n").append(energy_table(run));

@@ -1,0 +1,22 @@
+#pragma once
+// What `run --checkpoint DIR` keeps of a run that ended or was interrupted, and `--resume` goes on from:
+// run.json (the document of the run so far), state.csv and contacts.csv.
+
+#include <filesystem>
+
+#include "core/scene.hpp"
+#include "reports/run_report.hpp"
+
+namespace warpgrain::cli {
+
+// Throws InputError when a file cannot be written.
+void write_checkpoint(const std::filesystem::path& folder, const reports::RunReport& report,
+                      const ParticleState& state);
+
+// Puts the particles of the checkpoint into `scene` and returns its document. Throws InputError where the
+// checkpoint is damaged, or of another scene, variant, back end, time step or number of particles than
+// `begun` and `scene` say.
+reports::RunReport read_checkpoint(const std::filesystem::path& folder, const reports::RunReport& begun,
+                                   Scene& scene);
+
+}  // namespace warpgrain::cli
