@@ -19,13 +19,20 @@ double step_cost(const AccuracyReport::Case& row, std::string_view name) {
   return static_cast<double>(row.warp_instructions);
 }
 
+// Errors whose first two digits are the same are the same: sums in another order differ by less.
+double as_shown(double error) {
+  if (!(error > 0) || !std::isfinite(error)) return error;
+  const double unit = std::pow(10, std::floor(std::log10(error)) - 1);
+  return unit * std::round(error / unit);
+}
+
 // Cost first, then errors; what failed before it was measured is the worst.
 Costs costs_of(const AccuracyReport::Case& row) {
   constexpr double worst = std::numeric_limits<double>::infinity();
   const bool failed = !row.failure.empty();
   Costs costs{row.relative_cost > 0 ? row.relative_cost : worst};
-  costs.push_back(row.force ? row.force->root_mean_square : failed ? worst : 0);
-  costs.push_back(row.collision ? std::max(row.collision->restitution, row.collision->spin)
+  costs.push_back(row.force ? as_shown(row.force->root_mean_square) : failed ? worst : 0);
+  costs.push_back(row.collision ? as_shown(std::max(row.collision->restitution, row.collision->spin))
                   : failed      ? worst
                                 : 0);
   costs.push_back(!row.trajectory             ? (failed ? worst : 0)

@@ -101,11 +101,11 @@ function drawConvergence(folder, study) {
 
 const COSTS = { warp_instructions: "warp instructions", bytes: "bytes", seconds: "time", predicted_seconds: "predicted time", measured_seconds: "measured time" };
 
-// Labels of points that lie on each other would cover each other: those are one, with the first's name and how many more.
+// Points that lie on each other are one, with the first's name and how many more.
 function named(points) {
-  const seen = [];
+  const seen = [], widest = Math.max(...points.map((p) => p.x));
   for (const point of points) {
-    const near = seen.find((p) => Math.abs(Math.log(p.x / point.x)) < 0.04 && Math.abs(Math.log10(p.y / point.y)) < 0.15 && p.front === point.front);
+    const near = seen.find((p) => Math.abs(p.x - point.x) < 0.035 * widest && Math.abs(Math.log10(p.y / point.y)) < 0.15 && p.front === point.front);
     if (near) near.more += 1;
     else seen.push({ ...point, more: 0 });
   }
@@ -124,18 +124,18 @@ function drawFront(folder, report, name) {
   criteria.forEach(([what, error], k) => {
     const points = named(report.cases.filter((row) => row.relative_cost > 0 && error(row) > 0)
       .map((row) => ({ x: row.relative_cost, y: error(row), front: row.on_front, label: short(row) })));
-    option.grid.push({ left: 80 + k * 500, top: 20, width: 390, height: 360 });
+    option.grid.push({ left: 80 + k * 510, top: 90, width: 370, height: 330 });
     option.xAxis.push({ ...axis(`cost: ${COSTS[report.cost]}, for the same time simulated`), min: 0, gridIndex: k });
     option.yAxis.push({ ...axis(what), type: "log", gridIndex: k, nameGap: 52, axisLabel: { color: INK, formatter: (v) => v.toExponential(0) } });
     for (const front of [true, false])
       option.series.push({
         type: "scatter", name: front ? "on the front" : "dominated", xAxisIndex: k, yAxisIndex: k, symbolSize: 9,
         symbol: front ? "circle" : "emptyCircle", color: front ? SERIES[0] : SERIES[1],
-        data: points.filter((p) => p.front === front).map((p) => ({ value: [p.x, p.y], name: p.more ? `${p.label} and ${p.more} more` : p.label })),
-        label: { show: true, formatter: "{b}", position: "right", color: INK, fontSize: 10 }, labelLayout: { moveOverlap: "shiftY" },
+        data: points.filter((p) => p.front === front).map((p) => ({ value: [p.x, p.y], name: p.more ? `${p.label} +${p.more}` : p.label })),
+        label: { show: true, formatter: "{b}", position: [6, -2], rotate: 50, align: "left", verticalAlign: "bottom", color: INK, fontSize: 10 },
       });
   });
-  write(folder, name, 1010, 460, option);
+  write(folder, name, 1040, 500, option);
 }
 
 function shareOfRange(probe, cell) {

@@ -70,6 +70,13 @@ TEST(AccuracyReport, AnotherCostRanksOtherwise) {
   EXPECT_THAT(text_accuracy(report), HasSubstr("cost is measured time; costs of 2,000 particles"));
 }
 
+TEST(AccuracyReport, ErrorsThatLookAlikeAreAlike) {
+  AccuracyReport report = study();
+  report.cases.push_back(accuracy_case("other sums", 1001, 0.9999e-5));
+  rank_cases(report);
+  EXPECT_EQ(report.cases.back().dominated_by, "plain");
+}
+
 TEST(AccuracyReport, WhatFailedIsOnNoFront) {
   AccuracyReport report = study();
   AccuracyReport::Case failed;

@@ -1,5 +1,8 @@
 // The atlas of a stability run: its JSON, its text and its page.
 
+#include <cstdlib>
+#include <filesystem>
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -66,6 +69,21 @@ TEST(StabilityReport, MarkdownHasARowForEveryLimit) {
   EXPECT_THAT(text, HasSubstr("| speed | 1 to 0.0001 m/s | 0.1 | 0.05 | wrong: 0.4, expected 0.8 | b<i> |"));
   EXPECT_THAT(text, HasSubstr("| - | - | refused: step 3: particle 0 left | c |"));
   EXPECT_THAT(text, HasSubstr("not applicable | d |"));
+}
+
+// As scripts/generated_blocks.py has it drawn.
+TEST(StabilityReport, HasAFigure) {
+  if (!std::filesystem::exists(WARPGRAIN_SOURCE_DIR "/reports/html/node_modules/echarts"))
+    GTEST_SKIP() << "no ECharts: scripts/install_dependencies.sh";
+  const TemporaryFolder folder;
+  write_file_atomically(folder / "atlas.json", stability_json(atlas()));
+  ASSERT_EQ(std::system(fmt::format("node {}/scripts/figures.mjs {} {}", WARPGRAIN_SOURCE_DIR,
+                                    folder.path().string(), (folder / "atlas.json").string())
+                            .c_str()),
+            0);
+  const std::string figure = read_text_file(folder / "atlas.svg", 1 << 20);
+  EXPECT_THAT(figure, HasSubstr("prefers-color-scheme"));
+  EXPECT_THAT(figure, HasSubstr("speed [m/s]"));
 }
 
 TEST(StabilityReport, JsonFollowsItsSchemaAndThePageIsWellFormed) {
