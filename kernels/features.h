@@ -33,6 +33,9 @@
 #ifndef HAS_RECTANGLES
 #define HAS_RECTANGLES 1
 #endif
+#ifndef N_WALLS  // a number where it is compiled in
+#define N_WALLS p.n_walls
+#endif
 
 #define HAS_WALLS (HAS_PLANES || HAS_RECTANGLES)
 // Of kernels that evaluate forces: velocities for eq. (6), masses for eq. (10) and for weights.

@@ -21,7 +21,7 @@ KERNEL void force_from_walls(const StepParameters p, CONSTANT const Wall* walls,
   ForceSum sum = load_forces(self, &sums);
   uint n_contacts = 0;
 
-  for (uint index = 0; index < p.n_walls; ++index) {  // branch: next wall
+  for (uint index = 0; index < N_WALLS; ++index) {  // branch: next wall
     CONSTANT const Wall* wall = &walls[index];
     Touch touch;
     if (is_rectangle(wall)) {                                        // branch: rectangle

@@ -116,6 +116,7 @@ class FeatureRules {
     const std::size_t n_rectangles = scene_.walls.size() - n_planes;
     set(planes, n_planes > 0, counted(n_planes, "plane", "planes"));
     set(rectangles, n_rectangles > 0, counted(n_rectangles, "rectangle", "rectangles"));
+    if (!is_full_) features_.n_walls_ = scene_.walls.size();
   }
 
   static std::string rows_text(const Pairs& pairs) {
@@ -162,7 +163,8 @@ std::string SceneFeatures::wall_options() const {
   return grid_options() + left_out("HAS_FRICTION", model(friction)) +
          left_out("HAS_DAMPING", model(damping)) + left_out("HAS_GRAVITY", read_motion_at_walls()) +
          left_out("HAS_MATERIALS", model(wall_materials)) + left_out("HAS_PLANES", model(planes)) +
-         left_out("HAS_RECTANGLES", model(rectangles));
+         left_out("HAS_RECTANGLES", model(rectangles)) +
+         (n_walls_ ? fmt::format(" -D N_WALLS={}", *n_walls_) : "");
 }
 
 }  // namespace warpgrain

@@ -8,25 +8,25 @@
 //
 // "Pairs" are those of materials that may touch: of two particles, or of a particle and a wall. With mu,
 // alpha and C_kt of a pair as in core/material.hpp, the practical model needs
-//   friction        where the tangential force of some pair can differ from zero. It is cut to mu |F_n| (eq.
-//   5),
-//                   and it is a sum of -k_t delta_t, k_t ~ C_kt, and -eta v_t, eta ~ alpha (eqs. 4, 9, 10).
-//                   So it is zero where mu = 0, and where both C_kt = 0 and alpha = 0. With slip_history
-//                   liggghts eq. (5) tests the spring alone and leaves the damping in a contact whose spring
-//                   exerts nothing: there mu = 0 is not enough, alpha has to be 0 as well.
-//   rotation        where there is friction: torques are r (n x F_t) (eq. 3), so that without F_t spins stay
-//                   what they were at the start, and eq. (6), where they matter, gives only F_t. state()
-//                   returns the spins of the scene.
-//   history         where there is friction in some pair with C_kt > 0: delta_t is read by -k_t delta_t
-//   alone. damping         where alpha > 0 in some pair: eta = alpha sqrt(k_n m*). repulsion normal_force
-//   repulsive, and damping: without it F_n = k_n overlap is never negative. gravity         where it is not
-//   zero. radii, masses   several of them. One is a constant of the kernels, and with it R*, m* and all that
-//   is
-//                   computed of them; the host computes these in the precision of the variant, in the order
-//                   in which the kernels would.
-//   pair_materials  pairs of two particles with different parameters; equal ones are constants.
-//   wall_materials  the same of a particle and a wall.
-//   planes, rectangles   walls of that kind. Without walls a step has no kernel for them.
+// * friction where the tangential force of some pair can differ from zero. It is cut to mu |F_n| (eq. 5),
+//   and it is a sum of -k_t delta_t, k_t ~ C_kt, and -eta v_t, eta ~ alpha (eqs. 4, 9, 10). So it is zero
+//   where mu = 0, and where both C_kt = 0 and alpha = 0. With slip_history liggghts eq. (5) tests the
+//   spring alone and leaves the damping in a contact whose spring exerts nothing: there mu = 0 is not
+//   enough, alpha has to be 0 as well.
+// * rotation where there is friction: torques are r (n x F_t) (eq. 3), so that without F_t spins stay what
+//   they were at the start, and eq. (6), where they matter, gives only F_t. state() returns the spins of
+//   the scene.
+// * history where there is friction in some pair with C_kt > 0: delta_t is read by -k_t delta_t alone.
+// * damping where alpha > 0 in some pair: eta = alpha sqrt(k_n m*).
+// * repulsion with normal_force repulsive, and damping: without it F_n = k_n overlap is never negative.
+// * gravity where it is not zero.
+// * radii, masses where there are several. One is a constant of the kernels, and with it R*, m* and all
+//   that is computed of them; the host computes these in the precision of the variant, in the order in
+//   which the kernels would.
+// * pair_materials where pairs of two particles have different parameters; equal ones are constants.
+// * wall_materials, the same of a particle and a wall.
+// * planes, rectangles where there are walls of that kind; their number is a constant. Without walls a
+//   step has no kernel for them.
 // The simple model, eq. (1), keeps no spins and no history and reads no materials: rotation, history,
 // repulsion, pair_materials and wall_materials are never needed. Its friction is the shear, k_shear > 0, its
 // damping k_damping > 0.
@@ -40,6 +40,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -97,6 +98,7 @@ class SceneFeatures {
  private:
   friend class FeatureRules;
   std::array<Feature, n_features> rows_;
+  std::optional<std::size_t> n_walls_;  // where kernels are compiled for that number
 };
 
 // Of the value that the variant has on the axis `model`.
