@@ -19,6 +19,7 @@ bool ends_block(const Instruction& i) {
     case Flow::exit:
     case Flow::meet:
     case Flow::warp_meet:
+    case Flow::yield:
       return true;
     default:
       return false;
@@ -106,6 +107,9 @@ class Cutter {
         return;
       case Flow::warp_meet:
         block.end = End::warp_meet;
+        return;
+      case Flow::yield:
+        block.end = End::yield;
         return;
       case Flow::indirect_branch:
         block.end = End::indirect;

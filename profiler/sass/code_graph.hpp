@@ -20,7 +20,13 @@ enum class End : std::uint8_t {
   exit,       // the lane ends
   meet,       // waits for the lanes of `barrier`
   warp_meet,  // waits for the lanes of the warp
+  yield,      // lets others run first
 };
+
+// Whether what follows is `next` for all lanes.
+constexpr bool goes_on(End end) {
+  return end == End::next || end == End::meet || end == End::warp_meet || end == End::yield;
+}
 
 // Something done to a barrier's mask before the block ends.
 struct MaskAction {

@@ -70,6 +70,9 @@ void decode_flow(const Word& word, unsigned sm, Instruction& i) {
       i.flow = Flow::open;
       i.target = meeting_target(word, i.address);
       break;
+    case 0x146:
+      i.flow = Flow::yield;
+      break;
     case 0x147:
       i.flow = Flow::branch;
       i.target = branch_target(word, i.address, sm);

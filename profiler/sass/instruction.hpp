@@ -25,6 +25,7 @@ enum class Flow : std::uint8_t {
   save,       // BMOV: register `reg` = barrier
   restore,    // BMOV: barrier = register `reg`
   warp_meet,  // WARPSYNC
+  yield,      // YIELD: other lanes of the warp run first, and no barrier waits for these meanwhile
 };
 
 inline constexpr std::uint32_t instruction_bytes = 16;

@@ -9,8 +9,6 @@
 namespace warpgrain::profiler::sass {
 namespace {
 
-bool goes_on(End end) { return end == End::next || end == End::meet || end == End::warp_meet; }
-
 class Planner {
  public:
   Planner(const CodeGraph& code, const PtxDecisions& decisions)

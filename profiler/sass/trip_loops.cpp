@@ -203,7 +203,7 @@ class Finder {
       for (std::size_t steps = 0; at != no_code && steps < code_.blocks.size(); ++steps) {
         trips += loop.copies[at];
         const End end = code_.blocks[at].end;
-        if (end != End::next && end != End::meet && end != End::warp_meet) break;
+        if (!goes_on(end)) break;
         at = code_.blocks[at].next;
       }
       if (trips > 1) return true;
@@ -256,7 +256,7 @@ class Finder {
   std::uint32_t landing(const TripLoop& loop, std::uint32_t b) const {
     for (std::size_t steps = 0; b != no_code && steps < code_.blocks.size(); ++steps) {
       const End end = code_.blocks[b].end;
-      if (loop.region[b] || (end != End::next && end != End::meet && end != End::warp_meet)) return b;
+      if (loop.region[b] || !goes_on(end)) return b;
       b = code_.blocks[b].next;
     }
     return no_code;

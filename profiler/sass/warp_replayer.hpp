@@ -1,11 +1,10 @@
 #pragma once
 // Replays warps over the machine code's flow of control: which lanes issue which block together.
 //
-// BSSY notes the lanes that will meet, BSYNC holds each group until all of them have come, ended, or left
-// with BREAK. A BSYNC is issued once for each group that comes, and once more for one that BREAK of others
-// lets go; an indirect branch once for each way that some lanes go, by the lanes that are left. So an H100
-// counts (docs/exactness.md). It also lets groups run on together that happen to come to one place without a
-// BSYNC; that is left out.
+// A BSYNC is issued once for each group that comes, and once more for one that BREAK of others lets go; an
+// indirect branch once for each way that some lanes go, by the lanes that are left. So an H100 counts
+// (docs/exactness.md). It also lets groups run on together that happen to come to one place without a BSYNC
+// or a YIELD; that is left out.
 
 #include <memory>
 #include <span>
