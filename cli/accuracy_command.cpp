@@ -22,6 +22,7 @@
 #include "cli/app.hpp"
 #include "cli/common_options.hpp"
 #include "cli/help_text.hpp"
+#include "cli/interrupt.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/run_loop.hpp"
@@ -42,6 +43,7 @@ struct AccuracyOptions {
   SceneOptions scene;
   std::vector<std::string> axis, levels{level_names.begin(), level_names.begin() + 3};
   std::vector<double> step_factors{1};
+  bool resume = false;
   std::uint64_t at_step = 1500, timed_steps = 50, trajectory_steps = 200, seeds = 4;
   DeviceOptions device;
   OutputOptions output;
@@ -106,6 +108,16 @@ class AccuracyStudy {
     setting_.timed_steps = options.timed_steps;
   }
 
+  // Keeps the cases of an earlier call.
+  void resume(const std::string& file) {
+    reports::AccuracyReport earlier = reports::read_accuracy(file);
+    require_same_call(file, earlier.command_line);
+    earlier_ = std::move(earlier.cases);
+  }
+
+  // Whether Ctrl-C has left some undone.
+  bool is_complete() const { return done_ == cases_.size(); }
+
   reports::AccuracyReport run() {
     setting_.at_step = advanced(setting_.scene, Variant{}, setting_.backend, options_.at_step, progress_);
     setting_.costed = options_.cost_particles
@@ -124,7 +136,14 @@ class AccuracyStudy {
     report.cost_particles = setting_.costed.particles.size();
     if (setting_.machine) report.machine = setting_.machine->name;
     report.measured = measured_.of_what();
-    for (const AccuracyCase& which : cases_) report.cases.push_back(study(which));
+    for (const AccuracyCase& which : cases_) {
+      const auto known = std::ranges::find_if(earlier_, [&](const auto& row) {
+        return row.variant == which.variant.name() && row.step_factor == which.step_factor;
+      });
+      if (known == earlier_.end() && interrupted()) break;
+      report.cases.push_back(known == earlier_.end() ? study(which) : *known);
+      ++done_;
+    }
     progress_.clear();
     reports::rank_cases(report);
     return report;
@@ -174,7 +193,6 @@ class AccuracyStudy {
     } catch (const InputError& error) {
       row.failure = error.what();
     }
-    ++done_;
     return row;
   }
 
@@ -218,6 +236,7 @@ class AccuracyStudy {
   AccuracySetting setting_;
   SceneOptions larger_;  // of which costs are counted, where that is another
   std::vector<AccuracyCase> cases_;
+  std::vector<reports::AccuracyReport::Case> earlier_;
   std::size_t done_ = 0;
   ForceState forces_;
   Trajectory trajectory_;
@@ -242,10 +261,13 @@ int tables_of_study(const AccuracyOptions& options) {
 int accuracy(const AccuracyOptions& options) {
   require_sensible_options(options);
   if (options.study != study_names.front()) return tables_of_study(options);
-  const reports::AccuracyReport report = AccuracyStudy(options).run();
+  const InterruptWatch watch;
+  AccuracyStudy study(options);
+  if (options.resume) study.resume(options.output.json);
+  const reports::AccuracyReport report = study.run();
   if (!options.output.json.empty()) write_output(options.output.json, reports::accuracy_json(report));
   if (options.output.summary()) std::cout << reports::text_accuracy(report);
-  return 0;
+  return study.is_complete() ? 0 : say_interrupted("accuracy", report.cases.size(), options.output.json);
 }
 
 }  // namespace
@@ -270,6 +292,7 @@ void add_accuracy_command(CLI::App& app, Action& chosen) {
   add_option(command, "--seeds", options->seeds);
   options->device.add_to(command);
   options->output.add_to(command);
+  add_flag(command, "--resume", options->resume)->needs("--json");
   command.callback([options, &chosen] { chosen = [options] { return accuracy(*options); }; });
 }
 

@@ -3,6 +3,8 @@
 #include <array>
 #include <csignal>
 #include <cstddef>
+#include <fmt/format.h>
+#include <iostream>
 
 namespace warpgrain::cli {
 namespace {
@@ -29,6 +31,13 @@ InterruptWatch::~InterruptWatch() {
   for (std::size_t k = 0; k < watched_signals.size(); ++k)
     sigaction(watched_signals[k], &actions_before[k], nullptr);
   has_come = 0;
+}
+
+int say_interrupted(std::string_view command, std::size_t n_done, const std::string& document) {
+  std::cerr << fmt::format(
+      "warpgrain {}: interrupted after {} of its cases{}\n", command, n_done,
+      document.empty() || document == "-" ? "" : "; the same call with --resume does the others");
+  return interrupted_status;
 }
 
 bool interrupted() { return has_come != 0; }

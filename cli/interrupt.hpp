@@ -3,6 +3,10 @@
 // ends the program where it stands. In all other commands it ends the program, as it does where nobody
 // watches.
 
+#include <cstddef>
+#include <string>
+#include <string_view>
+
 namespace warpgrain::cli {
 
 // What a shell says of a program that SIGINT has ended.
@@ -19,6 +23,10 @@ class InterruptWatch {
   InterruptWatch(const InterruptWatch&) = delete;
   InterruptWatch& operator=(const InterruptWatch&) = delete;
 };
+
+// A line on stderr: what of the command is done, and how to do the rest where there is a document;
+// interrupted_status.
+int say_interrupted(std::string_view command, std::size_t n_done, const std::string& document);
 
 // Whether one has come since the watch began; never without a watch.
 bool interrupted();

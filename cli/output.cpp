@@ -1,5 +1,6 @@
 #include "cli/output.hpp"
 
+#include <algorithm>
 #include <iostream>
 #include <system_error>
 
@@ -29,6 +30,15 @@ std::string quoted(std::string_view word) {
   return text;
 }
 
+// The options of a call, whatever the program's path.
+std::string without_resume(std::string_view call) {
+  std::string text(call.substr(std::min(call.find(' '), call.size())));
+  constexpr std::string_view resume = " --resume";
+  const std::size_t place = text.find(resume);
+  if (place != std::string::npos) text.erase(place, resume.size());
+  return text;
+}
+
 }  // namespace
 
 void write_output(const std::string& target, std::string_view text) {
@@ -51,6 +61,12 @@ void set_command_line(int argc, const char* const* argv) {
   std::string text = "warpgrain";  // not the path that this machine has it under
   for (int k = 1; k < argc; ++k) text.append(" ").append(quoted(argv[k]));
   stored_command_line() = text;
+}
+
+void require_same_call(const std::string& file, std::string_view command_line_of_document) {
+  if (without_resume(command_line_of_document) != without_resume(command_line()))
+    throw_input_error(file, "the document of the call '" + std::string(command_line_of_document) + "'",
+                      "that of this call, --resume aside");
 }
 
 }  // namespace warpgrain::cli

@@ -18,4 +18,8 @@ void make_folder(const std::filesystem::path& folder);
 const std::string& command_line();
 void set_command_line(int argc, const char* const* argv);
 
+// Throws InputError unless the document was made by this call, --resume aside: what it holds may stand beside
+// what this call adds.
+void require_same_call(const std::string& file, std::string_view command_line_of_document);
+
 }  // namespace warpgrain::cli

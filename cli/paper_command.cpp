@@ -178,10 +178,10 @@ int paper(const Options& options) {
   facts.paper_machine = load_machine(paper_machine);
   facts.machine = load_machine(options.machine);
   const std::vector<Variant> variants = swept_variants(options.axis);
-  std::vector<MeasuredStep> measured_steps;
+  std::vector<std::string> measured_steps;
   for (const std::string& file : options.measured)
     if (reports::format_of(file) == reports::measured_format)
-      measured_steps.push_back(measured_step(file));
+      measured_steps.push_back(file);
     else
       facts.timings.push_back(timing_from(file));
 
@@ -203,8 +203,8 @@ int paper(const Options& options) {
   reports::add_paper_rows(report, facts);
   std::vector<Machine> machines{facts.paper_machine};
   if (facts.machine->name != facts.paper_machine.name) machines.push_back(*facts.machine);
-  const auto rows =
-      variant_rows(scene, variants, machines, options.device.backend_options(), measured_steps, progress);
+  const auto rows = variant_rows(scene, variants, machines, options.device.backend_options(),
+                                 MeasuredSteps(measured_steps), progress);
   report.rows.insert(report.rows.end(), rows.begin(), rows.end());
   progress.clear();
   if (!options.output.json.empty()) write_output(options.output.json, reports::paper_json(report));

@@ -1,11 +1,10 @@
 #pragma once
 // What a step of each variant takes the paper's GPU and a later one: rows of `warpgrain paper`.
 
-#include <span>
-#include <string>
 #include <vector>
 
 #include "analysis/machine.hpp"
+#include "cli/accuracy/cost_level.hpp"
 #include "cli/progress.hpp"
 #include "core/scene.hpp"
 #include "reports/paper_report.hpp"
@@ -13,22 +12,12 @@
 
 namespace warpgrain::cli {
 
-// What `measure` read of a step of a variant.
-struct MeasuredStep {
-  std::string variant;
-  double seconds = 0;
-  std::string on;  // file and device
-};
-// Throws InputError where the document holds no step of a scene.
-MeasuredStep measured_step(const std::string& file);
-
 // A row a variant and machine: the predicted time where the machine file has cost constants, else the least
 // time (analysis/ least_time.hpp); the readings of the variant beside the machine's own ones, which stand
 // last.
 std::vector<reports::PaperReport::Row> variant_rows(const Scene& scene, const std::vector<Variant>& variants,
                                                     const std::vector<Machine>& machines,
                                                     const BackendOptions& backend,
-                                                    const std::vector<MeasuredStep>& measured,
-                                                    Progress& progress);
+                                                    const MeasuredSteps& measured, Progress& progress);
 
 }  // namespace warpgrain::cli

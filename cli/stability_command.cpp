@@ -1,5 +1,6 @@
 // `warpgrain stability`: where each variant stops being right, by bisection.
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <iostream>
 #include <memory>
@@ -10,6 +11,7 @@
 #include "cli/app.hpp"
 #include "cli/common_options.hpp"
 #include "cli/help_text.hpp"
+#include "cli/interrupt.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/stability_atlas.hpp"
@@ -27,7 +29,7 @@ struct StabilityOptions {
   DeviceOptions device;
   OutputOptions output;
   std::string html;
-  bool markdown = false;
+  bool markdown = false, resume = false;
 };
 
 std::vector<const Probe*> chosen_probes(const StabilityOptions& options) {
@@ -76,12 +78,27 @@ int stability(const StabilityOptions& options) {
   report.generator = reports::this_generator();
   report.command_line = command_line();
   for (const Probe* probe : asked) report.probes.push_back(described(*probe, options.rest_steps));
+  std::vector<reports::StabilityReport::Cell> earlier;
+  if (options.resume) {
+    reports::StabilityReport partial = reports::read_stability(options.output.json);
+    require_same_call(options.output.json, partial.command_line);
+    earlier = std::move(partial.cells);
+  }
   Progress progress(options.output.quiet);
-  std::size_t done = 0;
+  const std::size_t n_cells = benches.size() * asked.size();
+  const InterruptWatch watch;
   for (const ProbeBench& bench : benches)
     for (const Probe* probe : asked) {
-      progress.update("probing",
-                      static_cast<double>(done++) / static_cast<double>(benches.size() * asked.size()),
+      const auto known = std::ranges::find_if(earlier, [&](const reports::StabilityReport::Cell& cell) {
+        return cell.probe == probe->name && cell.variant == bench.variant().name() &&
+               cell.backend == bench.backend().name;
+      });
+      if (known != earlier.end()) {
+        report.cells.push_back(*known);
+        continue;
+      }
+      if (interrupted()) break;
+      progress.update("probing", static_cast<double>(report.cells.size()) / static_cast<double>(n_cells),
                       fmt::format("{} {}", probe->name, bench.variant().name()));
       report.cells.push_back(find_cell(*probe, bench, {options.samples, options.halvings}));
     }
@@ -90,6 +107,8 @@ int stability(const StabilityOptions& options) {
   if (!options.output.json.empty()) write_output(options.output.json, reports::stability_json(report));
   if (options.output.summary() && options.html != "-")
     std::cout << (options.markdown ? reports::markdown_stability(report) : reports::text_stability(report));
+  if (report.cells.size() < n_cells)
+    return say_interrupted("stability", report.cells.size(), options.output.json);
   return 0;
 }
 
@@ -109,6 +128,7 @@ void add_stability_command(CLI::App& app, Action& chosen) {
   add_flag(command, "--markdown", options->markdown);
   options->device.add_to(command);
   options->output.add_to(command);
+  add_flag(command, "--resume", options->resume)->needs("--json");
   command.callback([options, &chosen] { chosen = [options] { return stability(*options); }; });
 }
 

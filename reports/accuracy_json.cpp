@@ -47,6 +47,43 @@ AccuracyJson case_json(const AccuracyReport::Case& row) {
   return json;
 }
 
+AccuracyReport::Ensemble ensemble_from(const JsonReader& place) {
+  return {place.at("quantity").string(),
+          place.at("unit").string(),
+          place.at("mean").number(),
+          optional_number(place, "half_width"),
+          optional_number(place, "difference"),
+          optional_number(place, "difference_half_width"),
+          place.at("significant").boolean()};
+}
+
+AccuracyReport::Case case_from(const JsonReader& place) {
+  AccuracyReport::Case row;
+  row.variant = place.at("variant").string();
+  row.step_factor = place.at("step_factor").number();
+  row.backend = place.at("backend").string();
+  row.warp_instructions = place.at("warp_instructions").whole_number();
+  row.bytes = place.at("bytes").whole_number();
+  row.relative_cost = place.at("relative_cost").number();
+  row.seconds = optional_number(place, "seconds");
+  row.predicted_seconds = optional_number(place, "predicted_seconds");
+  row.measured_seconds = optional_number(place, "measured_seconds");
+  if (const auto force = place.maybe("force"))
+    row.force = {force->at("maximum").number(), force->at("root_mean_square").number(),
+                 force->at("maximum_ulps").number(), force->at("root_mean_square_ulps").number()};
+  if (const auto collision = place.maybe("collision"))
+    row.collision = {collision->at("restitution").number(), collision->at("rebound_angle").number(),
+                     collision->at("spin").number()};
+  if (const auto trajectory = place.maybe("trajectory"))
+    row.trajectory = {optional_number(*trajectory, "parted_at"), trajectory->at("compared").number(),
+                      trajectory->at("distance").number()};
+  for (const JsonReader& quantity : place.at("ensemble").elements())
+    row.ensemble.push_back(ensemble_from(quantity));
+  row.dominated_by = optional_string(place, "dominated_by");
+  row.failure = optional_string(place, "failure").value_or("");
+  return row;
+}
+
 }  // namespace
 
 std::string accuracy_json(const AccuracyReport& report) {
@@ -63,6 +100,24 @@ std::string accuracy_json(const AccuracyReport& report) {
   json["cases"] = AccuracyJson::array();
   for (const AccuracyReport::Case& row : report.cases) json["cases"].push_back(case_json(row));
   return json_text(json, "accuracy");
+}
+
+AccuracyReport read_accuracy(const std::filesystem::path& file) {
+  const JsonReader root = read_document(file, accuracy_format);
+  AccuracyReport report;
+  report.generator = generator_from(root);
+  report.command_line = root.at("command_line").string();
+  report.scene = root.at("scene").string();
+  report.particles = root.at("particles").whole_number();
+  report.step = root.at("step").whole_number();
+  report.time_step = root.at("time_step").number();
+  report.seeds = root.at("seeds").whole_number();
+  report.cost = root.at("cost").string();
+  report.cost_particles = root.at("cost_particles").whole_number();
+  report.machine = optional_string(root, "machine").value_or("");
+  report.measured = optional_string(root, "measured").value_or("");
+  for (const JsonReader& row : root.at("cases").elements()) report.cases.push_back(case_from(row));
+  return report;
 }
 
 }  // namespace warpgrain::reports

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -86,6 +87,9 @@ std::string sentence_of(const AccuracyReport::Case& row);
 
 // Throws InputError naming a number that is not finite.
 std::string accuracy_json(const AccuracyReport& report);
+
+// Throws InputError naming the file and the place of what is missing, wrong or of another format or version.
+AccuracyReport read_accuracy(const std::filesystem::path& file);
 
 // For a terminal: the table, and a sentence a case.
 std::string text_accuracy(const AccuracyReport& report);

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -67,6 +68,9 @@ double share_of_range(const StabilityReport::Probe& probe, const StabilityReport
 
 // Throws InputError naming a number that is not finite.
 std::string stability_json(const StabilityReport& report);
+
+// Throws InputError naming the file and the place of what is missing, wrong or of another format or version.
+StabilityReport read_stability(const std::filesystem::path& file);
 
 // For a terminal: under each probe its variants, those together whose limits are alike.
 std::string text_stability(const StabilityReport& report);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
 #include <vector>
@@ -85,6 +86,40 @@ TEST_F(Interrupt, ASweepDoesTheRestLater) {
   again.push_back("--resume");
   EXPECT_EQ(call(again), 0) << err_;
   EXPECT_THAT(out_, HasSubstr("branchy/verlet/cell/fp32/default"));
+}
+
+// A document with the last of its cases taken away is what Ctrl-C leaves.
+TEST_F(Interrupt, StudiesDoTheRestLater) {
+  struct Study {
+    std::vector<std::string> call;
+    const char* rows;
+  };
+  const std::vector<Study> studies{
+      {{"accuracy", "--particles", "20", "--at-step", "20", "--steps", "0", "--level", "force", "--axis",
+        "precision=fp32,fp64", "--json", path("study.json")},
+       "cases"},
+      {{"stability", "--backend", "host", "--probe", "speed_high,stiffness_low", "--samples", "2",
+        "--halvings", "1", "--axis", "precision=fp32", "--json", path("study.json")},
+       "cells"}};
+  for (const Study& study : studies) {
+    ASSERT_EQ(call(study.call), 0) << err_;
+    nlohmann::json whole = nlohmann::json::parse(read("study.json"));
+    ASSERT_EQ(whole[study.rows].size(), 2U);
+    nlohmann::json partial = whole;
+    partial[study.rows].erase(1);
+    partial[study.rows][0]["backend"] = study.call[0] == "accuracy" ? "kept" : "host";
+    write("study.json", partial.dump());
+    std::vector<std::string> again = study.call;
+    again.push_back("--resume");
+    ASSERT_EQ(call(again), 0) << err_;
+    const nlohmann::json resumed = nlohmann::json::parse(read("study.json"));
+    EXPECT_EQ(resumed[study.rows][0]["backend"], partial[study.rows][0]["backend"]);
+    EXPECT_EQ(resumed[study.rows][1], whole[study.rows][1]);
+    again.push_back("--threads");
+    again.push_back("1");
+    EXPECT_EQ(call(again), 2);
+    EXPECT_THAT(err_, HasSubstr("expected that of this call, --resume aside"));
+  }
 }
 
 }  // namespace
