@@ -158,7 +158,7 @@ function drawAtlas(folder, report, name) {
     const limit = cell.right_until === undefined ? "nowhere" : number(cell.right_until);
     return { value: [...at, share], text: share === 1 ? "" : limit + (cell.verdict === "refused" ? "!" : "") };
   });
-  const wide = 52, high = 22, left = 260, top = 235;
+  const wide = 52, high = 22, left = 260, top = 262;
   const category = (names, more) => ({ type: "category", data: names, axisTick: { show: false }, axisLine: { show: false }, ...more });
   write(folder, name, left + variants.length * wide + 40, top + probes.length * high + 50, {
     grid: { left, top, width: variants.length * wide, height: probes.length * high },
