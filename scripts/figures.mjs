@@ -21,7 +21,7 @@ const STYLE = "<style>svg{color:#1f2328}@media(prefers-color-scheme:dark){svg{co
 function write(folder, name, width, height, option) {
   const chart = echarts.init(null, null, { renderer: "svg", ssr: true, width, height });
   chart.setOption({ animation: false, backgroundColor: "transparent", color: SERIES, textStyle: { color: INK }, ...option });
-  const svg = chart.renderToSVGString().replaceAll(INK, "currentColor").replace(/(<svg[^>]*>)/, `$1${STYLE}`);
+  const svg = chart.renderToSVGString().replaceAll(INK, "currentColor").replaceAll(`fill="#fff"`, `fill="none"`).replace(/(<svg[^>]*>)/, `$1${STYLE}`);
   chart.dispose();
   writeFileSync(`${folder}/${name}.svg`, svg + "\n");
 }
