@@ -64,6 +64,40 @@ std::uint32_t LaneWalker::index_of(const Node& node) const {
   return static_cast<std::uint32_t>(&node - plan_.nodes.data());
 }
 
+// These three are for every step of every lane.
+inline void LaneWalker::choose(std::uint32_t way, Choices& choices) const {
+  choices.push_back({static_cast<std::uint16_t>(way), static_cast<std::uint32_t>(trace_ - begin_)});
+}
+
+inline bool LaneWalker::take_decision(const Node& node) {
+  for (const BlockIndex* entry = trace_; *entry != trace_end; ++entry) {
+    const std::uint32_t decision = runs_[*entry].decision;
+    if (decision == node.decision) {
+      trace_ = entry + 1;
+      return (*trace_ == runs_[*entry].first_way ? 0U : 1U) == node.taken_way;
+    }
+    if (decision == no_decision) continue;
+    if (has_guard_[decision]) continue;
+    if (const std::uint8_t way = folded_[node.decision][*(entry + 1)]; way != 0) {
+      trace_ = entry + 1;
+      return way - 1U == node.taken_way;
+    }
+  }
+  ++counters_.underived[index_of(node)];
+  return false;
+}
+
+inline void LaneWalker::pass(const Way& way) {
+  for (const TripEvent& event : way.events) {
+    std::int64_t& left = trips_left_[event.loop];
+    if (event.copies == 0)
+      left = count_trips(plan_.loops[event.loop]);
+    else if (!event.predicated || left >= event.copies)
+      left -= event.copies;
+    if (left < 0) fits_ = false;
+  }
+}
+
 void LaneWalker::walk(const LaneTrace& lane, Choices& choices) {
   const BlockIndex* const trace = lane.blocks;
   begin_ = trace_ = trace;
@@ -143,28 +177,6 @@ void LaneWalker::walk(const LaneTrace& lane, Choices& choices) {
   ++counters_.out_of_step;
 }
 
-void LaneWalker::choose(std::uint32_t way, Choices& choices) const {
-  choices.push_back({static_cast<std::uint16_t>(way), static_cast<std::uint32_t>(trace_ - begin_)});
-}
-
-bool LaneWalker::take_decision(const Node& node) {
-  for (const BlockIndex* entry = trace_; *entry != trace_end; ++entry) {
-    const std::uint32_t decision = runs_[*entry].decision;
-    if (decision == node.decision) {
-      trace_ = entry + 1;
-      return (*trace_ == runs_[*entry].first_way ? 0U : 1U) == node.taken_way;
-    }
-    if (decision == no_decision) continue;
-    if (has_guard_[decision]) continue;
-    if (const std::uint8_t way = folded_[node.decision][*(entry + 1)]; way != 0) {
-      trace_ = entry + 1;
-      return way - 1U == node.taken_way;
-    }
-  }
-  ++counters_.underived[index_of(node)];
-  return false;
-}
-
 bool LaneWalker::take_trips(const Node& node) {
   const std::int64_t left = trips_left_[node.loop];
   const auto possible = [&](const TripSide& side) {
@@ -192,17 +204,6 @@ std::uint32_t LaneWalker::take_indirect(const Node& node) {
       }
   ++counters_.underived[index_of(node)];
   return 0;
-}
-
-void LaneWalker::pass(const Way& way) {
-  for (const TripEvent& event : way.events) {
-    std::int64_t& left = trips_left_[event.loop];
-    if (event.copies == 0)
-      left = count_trips(plan_.loops[event.loop]);
-    else if (!event.predicated || left >= event.copies)
-      left -= event.copies;
-    if (left < 0) fits_ = false;
-  }
 }
 
 std::int64_t LaneWalker::count_trips(const TripLoop& loop) const {
