@@ -30,6 +30,7 @@
 #include "core/error.hpp"
 #include "core/reference_forces.hpp"
 #include "reports/accuracy_report.hpp"
+#include "reports/html/accuracy_page.hpp"
 #include "reports/study_report.hpp"
 
 namespace warpgrain::cli {
@@ -47,10 +48,10 @@ struct AccuracyOptions {
   std::uint64_t at_step = 1500, timed_steps = 50, trajectory_steps = 200, seeds = 4;
   DeviceOptions device;
   OutputOptions output;
-  std::string study = "variants";
   std::string cost{reports::cost_names.front()}, machine;
   std::vector<std::string> measured;
   std::optional<std::uint64_t> cost_particles;
+  std::string study = "variants", html;
   bool markdown = false, simulate = false;
 
   bool has(std::string_view level) const { return std::ranges::find(levels, level) != levels.end(); }
@@ -68,6 +69,9 @@ void require_sensible_options(const AccuracyOptions& options) {
     throw_input_error("--cost", "predicted_seconds without --machine", "a machine to predict for");
   if (options.cost == "measured_seconds" && options.measured.empty())
     throw_input_error("--cost", "measured_seconds without --measured", "documents of `warpgrain measure`");
+  if (!options.html.empty() && options.study != study_names.front())
+    throw_input_error("--html", fmt::format("the study of {}", options.study),
+                      fmt::format("that of {}", study_names.front()));
   for (const double factor : options.step_factors)
     if (!(factor >= 0.01 && factor <= 100))
       throw_input_error("--step-factor", fmt::format("{}", factor), "0.01 to 100");
@@ -266,7 +270,8 @@ int accuracy(const AccuracyOptions& options) {
   if (options.resume) study.resume(options.output.json);
   const reports::AccuracyReport report = study.run();
   if (!options.output.json.empty()) write_output(options.output.json, reports::accuracy_json(report));
-  if (options.output.summary()) std::cout << reports::text_accuracy(report);
+  if (!options.html.empty()) write_output(options.html, reports::accuracy_page(report));
+  if (options.output.summary() && options.html != "-") std::cout << reports::text_accuracy(report);
   return study.is_complete() ? 0 : say_interrupted("accuracy", report.cases.size(), options.output.json);
 }
 
@@ -290,6 +295,7 @@ void add_accuracy_command(CLI::App& app, Action& chosen) {
   add_option(command, "--steps", options->timed_steps);
   add_option(command, "--trajectory-steps", options->trajectory_steps);
   add_option(command, "--seeds", options->seeds);
+  add_option(command, "--html", options->html);
   options->device.add_to(command);
   options->output.add_to(command);
   add_flag(command, "--resume", options->resume)->needs("--json");

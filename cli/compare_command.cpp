@@ -15,6 +15,7 @@
 #include "core/error.hpp"
 #include "reports/comparison.hpp"
 #include "reports/document_format.hpp"
+#include "reports/html/comparison_page.hpp"
 #include "reports/merged_sweeps.hpp"
 
 namespace warpgrain::cli {
@@ -24,6 +25,7 @@ struct Options {
   std::vector<std::string> documents, measured, metrics;
   std::optional<double> fail_above;
   OutputOptions output;
+  std::string html;
 };
 
 // A sweep's folder or index; measurements of other programs need not even be JSON.
@@ -79,7 +81,8 @@ int compare(const Options& options) {
   comparison.generator = reports::this_generator();
   comparison.command_line = command_line();
   if (!options.output.json.empty()) write_output(options.output.json, reports::comparison_json(comparison));
-  if (options.output.summary()) std::cout << reports::text_comparison(comparison);
+  if (!options.html.empty()) write_output(options.html, reports::comparison_page(comparison));
+  if (options.output.summary() && options.html != "-") std::cout << reports::text_comparison(comparison);
   return options.fail_above && 100 * reports::largest_difference(comparison) > *options.fail_above ? 1 : 0;
 }
 
@@ -92,6 +95,7 @@ void add_compare_command(CLI::App& app, Action& chosen) {
   add_option(command, "--measured", options->measured);
   add_option(command, "--metric", options->metrics);
   add_option(command, "--fail-above", options->fail_above);
+  add_option(command, "--html", options->html);
   options->output.add_to(command);
   command.callback([options, &chosen] { chosen = [options] { return compare(*options); }; });
 }

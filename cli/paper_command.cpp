@@ -22,6 +22,7 @@
 #include "core/error.hpp"
 #include "profiler/observers/path_census.hpp"
 #include "reports/document_format.hpp"
+#include "reports/html/paper_page.hpp"
 #include "reports/measured_report.hpp"
 #include "reports/paper_rows.hpp"
 #include "reports/run_report.hpp"
@@ -42,7 +43,7 @@ struct Options {
   std::uint64_t samples = 4;
   std::uint64_t timed_steps = 20;
   bool until_rest = false;
-  std::string machine = "hopper_h100";
+  std::string machine = "hopper_h100", html;
   std::vector<std::string> measured;
   std::vector<std::string> axis;
 };
@@ -208,7 +209,8 @@ int paper(const Options& options) {
   report.rows.insert(report.rows.end(), rows.begin(), rows.end());
   progress.clear();
   if (!options.output.json.empty()) write_output(options.output.json, reports::paper_json(report));
-  if (options.output.summary()) std::cout << reports::text_paper(report);
+  if (!options.html.empty()) write_output(options.html, reports::paper_page(report));
+  if (options.output.summary() && options.html != "-") std::cout << reports::text_paper(report);
   return 0;
 }
 
@@ -225,6 +227,7 @@ void add_paper_command(CLI::App& app, Action& chosen) {
   add_option(command, "--measured", options->measured);
   add_option(command, "--machine", options->machine);
   add_option(command, "--axis", options->axis);
+  add_option(command, "--html", options->html);
   options->device.add_to(command);
   options->output.add_to(command);
   command.callback([options, &chosen] { chosen = [options] { return paper(*options); }; });

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "cli/app.hpp"
+#include "cli/bed.hpp"
 #include "cli/common_options.hpp"
 #include "cli/help_text.hpp"
 #include "cli/modelled_parts.hpp"
@@ -33,14 +34,16 @@ struct Options {
   DeviceOptions device;
   SimulatorOptions simulator;
   OutputOptions output;
-  std::uint64_t at_step = 0;
+  std::uint64_t at_step = 0, bed = default_bed_particles;
   std::string html;
   std::string export_folder;
   bool against_full = false;
 };
 
 // The PTX goes beside the JSON.
-reports::Report report_of(std::span<const profiler::LaunchProfile> launches, const Options& options) {
+reports::Report report_of(std::span<const profiler::LaunchProfile> launches, const Options& options,
+                          const profiler::ProfileOptions& how) {
+  require_timelines(how.timelines, launches);
   reports::Report report = reports::make_report(launches, command_line());
   const std::string& json = options.output.json;
   if (!json.empty() && json != "-") reports::keep_ptx(report, launches, json);
@@ -52,7 +55,7 @@ reports::Report profile_launch_file(const Options& options, const profiler::Prof
   if (!options.export_folder.empty())
     export_launch(file, profiler::load_launch(file, options.build_options), options.export_folder);
   const auto result = profiler::profile_launch_file(file, options.build_options, how, std::cout);
-  return report_of(std::span(&result.profile, 1), options);
+  return report_of(std::span(&result.profile, 1), options, how);
 }
 
 reports::Report profile_scene(const Options& options, const profiler::ProfileOptions& how,
@@ -60,9 +63,11 @@ reports::Report profile_scene(const Options& options, const profiler::ProfileOpt
   const Scene scene = options.scene.load();
   const Variant variant = options.variant.resolve(scene, options.device.kernels);
   const Scene at_step = advanced(scene, variant, options.device.backend_options(), options.at_step, progress);
+  ProfiledState left;
   const auto launches =
-      profile_step(at_step, variant, how, options.device.backend_options(), options.export_folder);
-  reports::Report report = report_of(launches, options);
+      profile_step(at_step, variant, how, options.device.backend_options(), options.export_folder, &left);
+  reports::Report report = report_of(launches, options, how);
+  report.bed = bed_of(at_step, variant, launches, left, options.bed);
   report.scene = scene.name;
   report.variant = variant.name();
   report.model = modelled_parts(at_step, variant, "simt");
@@ -109,6 +114,7 @@ void add_profile_command(CLI::App& app, Action& chosen) {
   add_option(command, "--build-options", options->build_options);
   options->scene.add_to(command);
   add_option(command, "--at-step", options->at_step);
+  add_option(command, "--bed", options->bed);
   add_option(command, "--html", options->html);
   add_option(command, "--export", options->export_folder);
   add_flag(command, "--against-full", options->against_full);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <charconv>
 #include <fmt/format.h>
 
 #include "cli/what_if_options.hpp"
@@ -22,6 +23,26 @@ profiler::WeightOptions::Kind weights_from_name(std::string_view name) {
   return kinds[static_cast<std::size_t>(found - names.begin())];
 }
 
+profiler::TimelineOptions timelines_from(const std::vector<std::string>& values) {
+  constexpr std::array<std::string_view, 5> names{"none", "median", "worst", "costliest", "a warp's number"};
+  profiler::TimelineOptions options;
+  for (const std::string& value : values) {
+    std::uint64_t number = 0;
+    const char* const end = value.data() + value.size();
+    if (value == "median")
+      options.median = true;
+    else if (value == "worst")
+      options.worst = true;
+    else if (value == "costliest")
+      options.costliest = true;
+    else if (std::from_chars(value.data(), end, number) == std::from_chars_result{end, std::errc()})
+      options.warps.push_back(number);
+    else if (value != "none" || values.size() > 1)
+      throw_unknown_name("--timeline-warps", "value", value, names);
+  }
+  return options;
+}
+
 }  // namespace
 
 void SimulatorOptions::add_to(CLI::App& command) {
@@ -31,6 +52,7 @@ void SimulatorOptions::add_to(CLI::App& command) {
   add_option(command, "--width", width);
   add_option(command, "--what-if", what_if);
   add_option(command, "--trace-memory", trace_memory);
+  add_option(command, "--timeline-warps", timeline_warps)->delimiter(',');
   add_option(command, "--machine", machine);
   add_flag(command, "--unchecked", unchecked);
   add_option(command, "--max-instructions", max_instructions);
@@ -65,6 +87,7 @@ profiler::ProfileOptions SimulatorOptions::profile_options(const DeviceOptions& 
   if (!what_if.empty()) options.what_if = what_if_questions(what_if, options.warp_width, options.policy);
   constexpr std::uint64_t largest = std::uint64_t{1} << 40;  // MiB: as good as no limit
   options.trace_memory = std::min(trace_memory, largest) << 20;
+  options.timelines = timelines_from(timeline_warps);
   options.footprint = !machine.empty() && load_machine()->cost;
   options.threads = device.threads;
   options.checks = unchecked ? profiler::Checks::off : profiler::Checks::on;
@@ -72,6 +95,17 @@ profiler::ProfileOptions SimulatorOptions::profile_options(const DeviceOptions& 
   options.max_instructions = max_instructions;
   options.progress = [&progress](double fraction) { progress.update("simulating", fraction); };
   return options;
+}
+
+void require_timelines(const profiler::TimelineOptions& options,
+                       std::span<const profiler::LaunchProfile> launches) {
+  std::uint64_t most = 0;
+  for (const profiler::LaunchProfile& launch : launches)
+    most = std::max<std::uint64_t>(most, launch.counters.warp_sums.size());
+  for (const std::uint64_t warp : options.warps)
+    if (warp >= most)
+      throw_input_error("--timeline-warps", fmt::format("warp {}", warp),
+                        fmt::format("less than {}, the warps of the largest launch", most));
 }
 
 }  // namespace warpgrain::cli

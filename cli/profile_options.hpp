@@ -4,6 +4,7 @@
 #include <CLI/App.hpp>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,8 @@ struct SimulatorOptions {
   std::optional<std::uint32_t> width;  // else the machine's, else 32
   std::vector<std::string> what_if;
   std::uint64_t trace_memory = 1024;  // MiB
-  std::string machine;                // a file or a name; empty: none
+  std::vector<std::string> timeline_warps{"median", "worst", "costliest"};
+  std::string machine;  // a file or a name; empty: none
   bool unchecked = false;
   std::uint64_t max_instructions = profiler::RunLimits{}.max_instructions;
 
@@ -33,5 +35,9 @@ struct SimulatorOptions {
   // Throws InputError for a policy or width that there is not. `progress` must outlive the profile.
   profiler::ProfileOptions profile_options(const DeviceOptions& device, Progress& progress) const;
 };
+
+// Throws InputError for a warp that is asked for by its number and that no launch has.
+void require_timelines(const profiler::TimelineOptions& options,
+                       std::span<const profiler::LaunchProfile> launches);
 
 }  // namespace warpgrain::cli

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "cli/app.hpp"
@@ -13,6 +14,8 @@
 #include "cli/output.hpp"
 #include "core/error.hpp"
 #include "reports/document_format.hpp"
+#include "reports/html/comparison_page.hpp"
+#include "reports/html/paper_page.hpp"
 #include "reports/html/report_page.hpp"
 #include "reports/html/sweep_page.hpp"
 #include "reports/merged_sweeps.hpp"
@@ -28,7 +31,7 @@ namespace {
 
 struct Options {
   std::string document;
-  std::string html, csv;
+  std::string html, csv, baseline;
   bool markdown = false;
   bool quiet = false;
 };
@@ -39,7 +42,14 @@ void refuse(const std::string& option, const std::string& format, const char* ex
 
 int render_sweep(const Options& options, const std::filesystem::path& file) {
   const reports::SweepIndex index = reports::read_sweep(file);
-  if (!options.html.empty()) write_output(options.html, reports::sweep_page(index));
+  std::optional<reports::SweepIndex> baseline;
+  if (!options.baseline.empty()) {
+    std::filesystem::path earlier = options.baseline;
+    if (std::filesystem::is_directory(earlier)) earlier /= reports::sweep_index_name;
+    baseline = reports::read_sweep(earlier);
+  }
+  if (!options.html.empty())
+    write_output(options.html, reports::sweep_page(index, baseline ? &*baseline : nullptr));
   if (!options.csv.empty()) write_output(options.csv, reports::csv_sweep(index));
   if (options.markdown)
     std::cout << reports::markdown_sweep(index);
@@ -55,16 +65,26 @@ int render(const Options& options) {
   if (format == reports::sweep_format) return render_sweep(options, file);
   if (options.markdown) refuse("--markdown", format, "a sweep");
   if (!options.csv.empty()) refuse("--csv", format, "a sweep");
+  if (!options.baseline.empty()) refuse("--baseline", format, "a sweep");
   const bool show = !options.quiet && options.html != "-";
   if (format == reports::report_format) {
     const reports::Report report = reports::read_report(file);
     if (!options.html.empty()) write_output(options.html, reports::report_page(report));
     if (show) std::cout << reports::text_report(report);
   } else if (format == reports::run_format) {
-    if (!options.html.empty()) refuse("--html", format, "a report or a sweep");
+    if (!options.html.empty()) refuse("--html", format, "any but a run");
     if (show) std::cout << reports::text_run(reports::read_run(file));
+  } else if (format == reports::paper_format) {
+    const reports::PaperReport report = reports::read_paper(file);
+    if (!options.html.empty()) write_output(options.html, reports::paper_page(report));
+    if (show) std::cout << reports::text_paper(report);
+  } else if (format == reports::comparison_format) {
+    const reports::Comparison comparison = reports::read_comparison(file);
+    if (!options.html.empty()) write_output(options.html, reports::comparison_page(comparison));
+    if (show) std::cout << reports::text_comparison(comparison);
   } else {
-    const std::array known{reports::report_format, reports::run_format, reports::sweep_format};
+    const std::array known{reports::report_format, reports::run_format, reports::sweep_format,
+                           reports::paper_format, reports::comparison_format};
     throw_unknown_name(file.string(), "format", format, known);
   }
   return 0;
@@ -77,6 +97,7 @@ void add_report_command(CLI::App& app, Action& chosen) {
   CLI::App& command = *app.add_subcommand("report", help_text().summary("report"));
   add_option(command, "document", options->document)->required();
   add_option(command, "--html", options->html);
+  add_option(command, "--baseline", options->baseline);
   add_option(command, "--csv", options->csv);
   add_flag(command, "--markdown", options->markdown);
   add_flag(command, "--quiet", options->quiet);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "analysis/force_error.hpp"
+#include "cli/bed.hpp"
 #include "cli/modelled_parts.hpp"
 #include "cli/output.hpp"
 #include "cli/step_timing.hpp"
@@ -54,13 +55,15 @@ std::vector<reports::BackendReading> time_and_check(const SweepSetting& setting,
 }
 
 ProfiledCase profile_case(const SweepSetting& setting, const Variant& variant) {
+  ProfiledState left;
   const std::vector<profiler::LaunchProfile> launches =
-      profile_step(setting.scene, variant, setting.profile, setting.backend);
+      profile_step(setting.scene, variant, setting.profile, setting.backend, {}, &left);
   reports::Report report = reports::make_report(launches, command_line());
   report.machine = setting.machine;
   report.scene = setting.scene.name;
   report.variant = variant.name();
   report.model = modelled_parts(setting.scene, variant, "simt");
+  report.bed = bed_of(setting.scene, variant, launches, left, setting.bed);
   report.particles = setting.scene.particles.size();
   report.step = setting.at_step;
   ProfiledCase result{file_stem(variant) + ".report.json", reports::headline_of(reports::kernels_of(report))};

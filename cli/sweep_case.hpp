@@ -22,6 +22,7 @@ struct SweepSetting {
   Scene scene;  // particles at the common state
   std::uint64_t at_step = 0;
   std::uint64_t timed_steps = 0;
+  std::uint64_t bed = 0;  // particles that reports draw
   BackendOptions backend;
   profiler::ProfileOptions profile;
   std::optional<Machine> machine;

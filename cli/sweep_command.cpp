@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "cli/app.hpp"
+#include "cli/bed.hpp"
 #include "cli/common_options.hpp"
 #include "cli/help_text.hpp"
 #include "cli/interrupt.hpp"
@@ -41,7 +42,7 @@ struct Options {
   OutputOptions output;
   std::string out;
   std::uint64_t at_step = 0;
-  std::uint64_t steps = 100;
+  std::uint64_t steps = 100, bed = default_bed_particles;
   bool resume = false;
   std::string shard = "1/1";
   unsigned jobs = 1;
@@ -123,6 +124,7 @@ class Sweep {
     setting_.scene = options_.scene.load();
     setting_.at_step = options_.at_step;
     setting_.timed_steps = options_.steps;
+    setting_.bed = options_.bed;
     setting_.backend = options_.device.backend_options();
     setting_.profile = options_.simulator.profile_options(options_.device, progress_);
     setting_.machine = options_.simulator.load_machine();
@@ -251,6 +253,7 @@ void add_sweep_command(CLI::App& app, Action& chosen) {
   add_option(command, "--axis", options->axis);
   add_option(command, "--out", options->out)->required();
   add_option(command, "--at-step", options->at_step);
+  add_option(command, "--bed", options->bed);
   add_option(command, "--steps", options->steps);
   add_flag(command, "--resume", options->resume);
   add_option(command, "--shard", options->shard);

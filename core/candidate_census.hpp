@@ -3,6 +3,7 @@
 // touch.
 
 #include <cstdint>
+#include <vector>
 
 #include "core/scene.hpp"
 
@@ -15,8 +16,13 @@ struct CandidateCensus {
   std::uint32_t most_contacts = 0;
 };
 
-// Of the scene's particles as they are, in the grid of make_grid_geometry(scene). All zero without particles.
-// Throws InputError when the scene has no usable domain.
+struct NeighbourCounts {
+  std::vector<std::uint32_t> candidates, contacts;  // as above, [n_particles]
+};
+
+// Of the scene's particles as they are, in the grid of make_grid_geometry(scene). Empty or zero without
+// particles. Throws InputError when the scene has no usable domain.
+NeighbourCounts neighbour_counts(const Scene& scene);
 CandidateCensus candidate_census(const Scene& scene);
 
 }  // namespace warpgrain

@@ -10,6 +10,7 @@
 #include "profiler/diagnostic.hpp"
 #include "profiler/kernel_graph.hpp"
 #include "profiler/launch.hpp"
+#include "profiler/timeline.hpp"
 
 namespace warpgrain::profiler {
 
@@ -81,6 +82,8 @@ struct BlockTotals {
   std::uint64_t executions = 0;
   std::uint64_t divergent = 0;                // of these, lanes went different ways from it
   std::vector<std::uint64_t> lane_histogram;  // executions by number of active lanes, [warp_width + 1]
+  std::string file;                           // of its first instruction with a place; empty: none has
+  std::uint32_t line = 0;                     // the same; 0: none
 
   std::uint64_t lane_slots_idle() const;  // while it ran
 };
@@ -155,6 +158,8 @@ struct LaunchCounters {
   std::vector<BranchTotals> branches;          // by lane_slots_lost, largest first
   std::uint64_t lane_slots_never_used = 0;     // warps that are not full from the start
   std::vector<WhatIfTotals> what_if;           // in the order of the questions
+  std::vector<WarpTimeline> timelines;         // of the warps that were asked for
+  std::vector<WarpSums> warp_sums;             // of every warp by number; not part of reports
   std::vector<Diagnostic> diagnostics;         // what is wrong with the kernel, by its PTX
   bool given_up = false;  // too many work-items had to be stopped: not all work-groups ran
 };

@@ -119,7 +119,7 @@ class CountingMerger : public WarpMerger {
       instructions += step.instructions;
       if (with_addresses_ && step.n_accesses != 0) count_accesses(step);
       if (step.n_successors == 0) {
-        partings_.issue(group.node, instructions);
+        issue(group, instructions);
         partings_.release(group.node);
         return;
       }
@@ -127,7 +127,7 @@ class CountingMerger : public WarpMerger {
       if (!step.chained) {
         if (ahead == 0) ahead = common_entries();
         if (ahead == 0) {
-          partings_.issue(group.node, instructions);
+          issue(group, instructions);
           part(group, block);
           return;
         }
@@ -139,7 +139,7 @@ class CountingMerger : public WarpMerger {
       const bool stops = stacked ? next == group.until
                                  : next_step.rank > bound || (next_step.rank == bound && next_step.join);
       if (stops) {
-        partings_.issue(group.node, instructions);
+        issue(group, instructions);
         store();
         const Group stopped{group.lanes, next, next_step.rank, group.node, group.until, group.gathered_in};
         stacked ? arrive(stopped) : wait(stopped);
@@ -147,6 +147,12 @@ class CountingMerger : public WarpMerger {
       }
       block = next;
     }
+  }
+
+  void issue(const Group& group, std::uint64_t instructions) {
+    counters_.issued.warp_instructions += instructions;
+    counters_.issued.thread_instructions += instructions * n_lanes_;
+    partings_.issue(group.node, instructions);
   }
 
   // Packs the lanes of a group.

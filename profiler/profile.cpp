@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "profiler/launch_timelines.hpp"
 #include "profiler/merge.hpp"
 #include "profiler/observers/blocks.hpp"
 #include "profiler/observers/branches.hpp"
@@ -46,6 +47,7 @@ unsigned n_threads(const ProfileOptions& options) {
 
 // What else sees the work-groups of a launch.
 struct Others {
+  LaunchTimelines& timelines;
   WhatIfRun* what_if = nullptr;
   LaunchFootprint* footprint = nullptr;
 
@@ -62,21 +64,33 @@ struct Others {
 // visitors.
 class MergingVisitor : public GroupVisitor {
  public:
-  MergingVisitor(WarpMerger& merger, sass::WarpReplayer* replayer, std::uint32_t warp_width,
-                 std::vector<GroupVisitor*> others)
-      : merger_(merger), replayer_(replayer), warp_width_(warp_width), others_(std::move(others)) {}
+  // `counters` is what the merger adds to.
+  MergingVisitor(WarpMerger& merger, const WarpCounters& counters, LaunchTimelines::Recorder& timelines,
+                 sass::WarpReplayer* replayer, std::vector<GroupVisitor*> others)
+      : merger_(merger),
+        counters_(counters),
+        timelines_(timelines),
+        replayer_(replayer),
+        others_(std::move(others)) {}
   void visit(std::uint64_t group, std::span<const LaneTrace> lanes) override {
-    merge_warps(merger_, lanes, warp_width_);
-    if (replayer_ != nullptr)
-      for (std::size_t first = 0; first < lanes.size(); first += warp_width_)
-        replayer_->replay(lanes.subspan(first, std::min<std::size_t>(warp_width_, lanes.size() - first)));
+    const std::size_t width = counters_.warp_width;
+    for (std::size_t first = 0; first < lanes.size(); first += width) {
+      const auto warp = lanes.subspan(first, std::min(width, lanes.size() - first));
+      const WarpSums before = counters_.issued;
+      merger_.merge(warp);
+      timelines_.warp_done(group, first / width, warp,
+                           {counters_.issued.warp_instructions - before.warp_instructions,
+                            counters_.issued.thread_instructions - before.thread_instructions});
+      if (replayer_ != nullptr) replayer_->replay(warp);
+    }
     for (GroupVisitor* other : others_) other->visit(group, lanes);
   }
 
  private:
   WarpMerger& merger_;
+  const WarpCounters& counters_;
+  LaunchTimelines::Recorder& timelines_;
   sass::WarpReplayer* replayer_;
-  std::uint32_t warp_width_;
   std::vector<GroupVisitor*> others_;
 };
 
@@ -159,7 +173,7 @@ WarpCounters run_observed(const KernelGraph& graph, Launch& launch, const Profil
   ObserverPair both(counting, *options.observer);
   both.launch_begins(graph);
   const auto merger = make_observed_merger(graph, options.policy, options.warp_width, both);
-  MergingVisitor visitor(*merger, nullptr, options.warp_width, others.new_visitors());
+  MergingVisitor visitor(*merger, counters, others.timelines.new_recorder(), nullptr, others.new_visitors());
   launch.run_groups(visitor, true);
   launch.rethrow_error();
   return counters;
@@ -169,18 +183,19 @@ WarpCounters run_counted(const KernelGraph& graph, Launch& launch, const Profile
                          sass::LaunchReplay& replay, const Others& others) {
   struct Thread {
     WarpCounters counters;
+    LaunchTimelines::Recorder& timelines;
     sass::WarpReplayer* replayer;
     std::vector<GroupVisitor*> others;
   };
   std::vector<Thread> of_threads;
   for (std::uint64_t thread = 0; thread < std::min<std::uint64_t>(n_threads(options), launch.n_chunks());
        ++thread)
-    of_threads.push_back(
-        {WarpCounters(graph, options.warp_width), replay.new_replayer(), others.new_visitors()});
+    of_threads.push_back({WarpCounters(graph, options.warp_width), others.timelines.new_recorder(),
+                          replay.new_replayer(), others.new_visitors()});
   const auto work = [&](std::size_t thread) {
+    const Thread& mine = of_threads[thread];
     const auto merger = make_counting_merger(graph, options.policy, of_threads[thread].counters);
-    MergingVisitor visitor(*merger, of_threads[thread].replayer, options.warp_width,
-                           of_threads[thread].others);
+    MergingVisitor visitor(*merger, mine.counters, mine.timelines, mine.replayer, mine.others);
     launch.run_groups(visitor, thread == 0);
   };
   {
@@ -211,7 +226,8 @@ LaunchCounters profile_launch(const Executable& executable, const LaunchShape& s
   sass::LaunchReplay replay(executable, options);
   std::optional<LaunchFootprint> footprint;
   if (options.footprint && options.addresses) footprint.emplace(graph, arguments);
-  const Others others{what_if ? &*what_if : nullptr, footprint ? &*footprint : nullptr};
+  LaunchTimelines timelines(graph, shape, options.policy, options.warp_width, options.timelines);
+  const Others others{timelines, what_if ? &*what_if : nullptr, footprint ? &*footprint : nullptr};
   const WarpCounters counters = options.observer != nullptr
                                     ? run_observed(graph, launch, options, others)
                                     : run_counted(graph, launch, options, replay, others);
@@ -236,6 +252,8 @@ LaunchCounters profile_launch(const Executable& executable, const LaunchShape& s
   result.lane_slots_never_used = counters.lane_slots_lost[counters.never_used()];
   replay.finish(source_lines, counters, result);
   if (what_if) result.what_if = what_if->answers();
+  result.timelines = timelines.timelines();
+  result.warp_sums = timelines.sums();
   result.diagnostics = launch.monitor().diagnostics();
   result.given_up = launch.monitor().given_up();
   return result;

@@ -13,6 +13,7 @@
 #include "profiler/executable.hpp"
 #include "profiler/merge_policy.hpp"
 #include "profiler/observers/warp_observer.hpp"
+#include "profiler/timeline.hpp"
 #include "profiler/what_if.hpp"
 
 namespace warpgrain::profiler {
@@ -50,6 +51,8 @@ struct ProfileOptions {
   std::uint64_t trace_memory = std::uint64_t{1} << 30;
   // Leaves out questions that sort by a count which the kernel has not; else they are errors.
   bool skip_unknown_keys = false;
+  // Warps that are followed block by block.
+  TimelineOptions timelines = {};
   // Sees every event, in order; then one thread runs, and slower.
   WarpObserver* observer = nullptr;
 };

@@ -81,6 +81,9 @@ double largest_difference(const Comparison& comparison);
 
 // Throws InputError naming a number that is not finite.
 std::string comparison_json(const Comparison& comparison);
+
+// Throws InputError naming the file and the place of what is missing, wrong or of another format or version.
+Comparison read_comparison(const std::filesystem::path& file);
 std::string text_comparison(const Comparison& comparison);
 
 }  // namespace warpgrain::reports

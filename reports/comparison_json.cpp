@@ -39,6 +39,30 @@ Json to_json(const OrderComparison& order) {
   return json;
 }
 
+TauInterval interval_from(const JsonReader& place) {
+  const std::vector<JsonReader> ends = place.elements(2, "lower and upper end");
+  return {ends[0].number(), ends[1].number()};
+}
+
+OrderComparison order_from(const JsonReader& place) {
+  OrderComparison order;
+  for (const JsonReader& variant : place.at("variants").elements())
+    order.rows.push_back({variant.at("variant").string(), variant.at("warp_instructions").number(),
+                          optional_number(variant, "predicted_seconds"), variant.at("seconds").number()});
+  order.by_time = place.at("by").string() == "predicted_seconds";
+  for (const OrderComparison::Row& row : order.rows)
+    if (order.by_time && !row.predicted_seconds)
+      place.at("variants").fail("'" + row.variant + "' without predicted_seconds", "them, as 'by' says");
+  order.tau = optional_number(place, "kendall_tau");
+  if (const auto interval = place.maybe("interval")) order.interval = interval_from(*interval);
+  if (const auto error = place.maybe("time_error"))
+    order.error = {error->at("median").number(), error->at("largest").number()};
+  if (const auto left_out = place.maybe("left_out"))
+    order.left_out = {interval_from(left_out->at("kendall_tau")),
+                      interval_from(left_out->at("median_time_error"))};
+  return order;
+}
+
 }  // namespace
 
 std::string comparison_json(const Comparison& comparison) {
@@ -52,6 +76,24 @@ std::string comparison_json(const Comparison& comparison) {
   json["only_in_other"] = comparison.only_in_other;
   if (comparison.order) json["order"] = to_json(*comparison.order);
   return json_text(json, "comparison");
+}
+
+Comparison read_comparison(const std::filesystem::path& file) {
+  const JsonReader root = read_document(file, comparison_format);
+  Comparison comparison;
+  comparison.generator = generator_from(root);
+  comparison.command_line = root.at("command_line").string();
+  comparison.base = root.at("base").string();
+  comparison.other = root.at("other").string();
+  for (const JsonReader& difference : root.at("differences").elements())
+    comparison.differences.push_back({difference.at("kernel").string(), difference.at("metric").string(),
+                                      difference.at("base").number(), difference.at("other").number()});
+  for (const JsonReader& kernel : root.at("only_in_base").elements())
+    comparison.only_in_base.push_back(kernel.string());
+  for (const JsonReader& kernel : root.at("only_in_other").elements())
+    comparison.only_in_other.push_back(kernel.string());
+  if (const auto order = root.maybe("order")) comparison.order = order_from(*order);
+  return comparison;
 }
 
 }  // namespace warpgrain::reports

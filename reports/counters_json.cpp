@@ -193,13 +193,18 @@ BranchTotals branch_from(const JsonReader& place) {
 }
 
 Json to_json(const BlockTotals& block) {
-  return {{"block", block.block},
-          {"label", block.label},
-          {"instructions", block.instructions},
-          {"executions", block.executions},
-          {"divergent", block.divergent},
-          {"lane_slots_idle", block.lane_slots_idle()},
-          {"lane_histogram", block.lane_histogram}};
+  Json json{{"block", block.block},
+            {"label", block.label},
+            {"instructions", block.instructions},
+            {"executions", block.executions},
+            {"divergent", block.divergent},
+            {"lane_slots_idle", block.lane_slots_idle()},
+            {"lane_histogram", block.lane_histogram}};
+  if (block.line != 0) {
+    json["file"] = block.file;
+    json["line"] = block.line;
+  }
+  return json;
 }
 
 BlockTotals block_from(const JsonReader& place, std::uint32_t warp_width) {
@@ -208,7 +213,10 @@ BlockTotals block_from(const JsonReader& place, std::uint32_t warp_width) {
           .instructions = place.at("instructions").whole_number(),
           .executions = place.at("executions").whole_number(),
           .divergent = place.at("divergent").whole_number(),
-          .lane_histogram = histogram_from(place.at("lane_histogram"), warp_width)};
+          .lane_histogram = histogram_from(place.at("lane_histogram"), warp_width),
+          // Older reports lack both.
+          .file = optional_string(place, "file").value_or(""),
+          .line = place.has("line") ? whole_number32(place.at("line")) : 0};
 }
 
 Json to_json(const WhatIfTotals& answer) {

@@ -47,6 +47,41 @@ Json to_json(const PaperReport::Paths& paths) {
           {"instruction_share", paths.instruction_share}};
 }
 
+PaperReport::Row paper_row_from(const JsonReader& place) {
+  PaperReport::Row row{place.at("section").string(),
+                       place.at("quantity").string(),
+                       optional_string(place, "unit").value_or(""),
+                       optional_number(place, "paper"),
+                       optional_number(place, "model"),
+                       optional_number(place, "simulated"),
+                       {},
+                       optional_string(place, "remark").value_or("")};
+  for (const JsonReader& measured : place.at("measured").elements())
+    row.measured.push_back({measured.at("value").number(), measured.at("on").string()});
+  return row;
+}
+
+PaperReport::Sample paper_sample_from(const JsonReader& place) {
+  PaperReport::Sample sample{place.at("step").whole_number(),
+                             place.at("time").number(),
+                             place.at("mean_candidates").number(),
+                             place.at("mean_contacts").number(),
+                             whole_number32(place.at("most_candidates")),
+                             whole_number32(place.at("most_contacts")),
+                             {}};
+  for (const JsonReader& kernel : place.at("kernels").elements())
+    sample.kernels.push_back({kernel.at("kernel").string(), kernel.at("warp_instructions").whole_number(),
+                              kernel.at("simt_efficiency").number()});
+  return sample;
+}
+
+PaperReport::Paths paths_from(const JsonReader& place) {
+  return {place.at("kernel").string(),           place.at("file").string(),
+          whole_number32(place.at("line")),      whole_number32(place.at("branches")),
+          place.at("passes").whole_number(),     place.at("paths").whole_number(),
+          place.at("instruction_share").number()};
+}
+
 }  // namespace
 
 std::string paper_json(const PaperReport& report) {
@@ -58,6 +93,20 @@ std::string paper_json(const PaperReport& report) {
   for (const auto& sample : report.samples) json["samples"].push_back(to_json(sample));
   for (const auto& paths : report.paths) json["paths"].push_back(to_json(paths));
   return json_text(json, "paper");
+}
+
+PaperReport read_paper(const std::filesystem::path& file) {
+  const JsonReader root = read_document(file, paper_format);
+  PaperReport report;
+  report.generator = generator_from(root);
+  report.command_line = root.at("command_line").string();
+  report.scene = root.at("scene").string();
+  report.particles = root.at("particles").whole_number();
+  for (const JsonReader& row : root.at("rows").elements()) report.rows.push_back(paper_row_from(row));
+  for (const JsonReader& sample : root.at("samples").elements())
+    report.samples.push_back(paper_sample_from(sample));
+  for (const JsonReader& paths : root.at("paths").elements()) report.paths.push_back(paths_from(paths));
+  return report;
 }
 
 }  // namespace warpgrain::reports

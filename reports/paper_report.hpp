@@ -3,6 +3,7 @@
 // docs/schemas/paper-1.schema.json is its JSON Schema.
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -60,6 +61,9 @@ struct PaperReport {
 
 // Throws InputError naming a number that is not finite.
 std::string paper_json(const PaperReport& report);
+
+// Throws InputError naming the file and the place of what is missing, wrong or of another format or version.
+PaperReport read_paper(const std::filesystem::path& file);
 
 // Tables for a terminal.
 std::string text_paper(const PaperReport& report);

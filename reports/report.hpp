@@ -13,6 +13,7 @@
 
 #include "analysis/machine.hpp"
 #include "profiler/profile.hpp"
+#include "reports/bed.hpp"
 #include "reports/generator.hpp"
 #include "reports/modelled_parts.hpp"
 #include "reports/source_text.hpp"
@@ -41,6 +42,7 @@ struct Report {
   ModelledParts model;                 // of a scene's kernels
   std::optional<std::uint64_t> particles;
   std::optional<std::uint64_t> step;  // the time step that was profiled, 0 = the first
+  std::optional<Bed> bed;             // of a scene
   std::optional<Machine> machine;     // where one was asked for
   // What an instruction is: "ptx" as compiled, "sass" as ptxas made it, "mixed" where it depends on the
   // launch.

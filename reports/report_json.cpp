@@ -9,6 +9,7 @@
 #include <set>
 
 #include "analysis/sfu_cost.hpp"
+#include "reports/bed_json.hpp"
 #include "reports/counters_json.hpp"
 #include "reports/diagnostics_json.hpp"
 #include "reports/json_fields.hpp"
@@ -16,6 +17,7 @@
 #include "reports/modelled_parts_json.hpp"
 #include "reports/predicted_times.hpp"
 #include "reports/replay_json.hpp"
+#include "reports/timeline_json.hpp"
 
 namespace warpgrain::reports {
 namespace {
@@ -96,11 +98,13 @@ Json launch_json(const Report& report, const LaunchReport& launch, bool with_tex
             {"lines", array_of(counters.lines, counters.warp_width)},
             {"blocks", array_of(counters.blocks)},
             {"what_if", array_of(counters.what_if)},
+            {"timelines", array_of(counters.timelines)},
             {"diagnostics", array_of(counters.diagnostics)},
             {"given_up", counters.given_up},
             {"ptx", ptx},
             {"source", source}};
   if (!counters.weights.asked) json.erase("replay");
+  if (counters.timelines.empty()) json.erase("timelines");
   if (counters.footprint)
     for (const FootprintKey& key : footprint_keys)
       json["footprint"][std::string(key.key)] = *counters.footprint.*key.count;
@@ -168,6 +172,10 @@ LaunchReport launch_from(const JsonReader& place, Texts& texts) {
                 fmt::format("less than {} blocks", counters.blocks.size()));
   for (const JsonReader& answer : place.at("what_if").elements())
     counters.what_if.push_back(what_if_from(answer));
+  // Where none was asked for, and in older reports, there are none.
+  if (const auto timelines = place.maybe("timelines"))
+    for (const JsonReader& timeline : timelines->elements())
+      counters.timelines.push_back(timeline_from(timeline, counters.blocks.size(), counters.warp_width));
   launch.ptx = {place.at("ptx").at("hash").string(), optional_string(place.at("ptx"), "file").value_or("")};
   // Reports of programs that did not check have neither key.
   if (const auto diagnostics = place.maybe("diagnostics"))
@@ -195,6 +203,7 @@ std::string report_json(const Report& report) {
   std::set<std::string> written;
   for (const LaunchReport& launch : report.launches)
     json["launches"].push_back(launch_json(report, launch, written.insert(launch.source.hash).second));
+  if (report.bed) json["bed"] = to_json(*report.bed);
   return json_text(json, "report");
 }
 
@@ -209,6 +218,7 @@ Report read_report(const std::filesystem::path& file) {
   report.particles = optional_whole_number(root, "particles");
   report.step = optional_whole_number(root, "step");
   if (const auto machine = root.maybe("machine")) report.machine = machine_from(*machine);
+  if (const auto bed = root.maybe("bed")) report.bed = bed_from(*bed);
   report.weights = root.at("weights").string();
   // Older reports lack it.
   report.buffer_bytes = optional_whole_number(root, "buffer_bytes").value_or(0);

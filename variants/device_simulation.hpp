@@ -26,6 +26,9 @@ class DeviceSimulation : public Simulation {
   std::string device() const override { return device_->name(); }
   std::string driver() const override { return device_->driver(); }
 
+  // Where the k-th particle by id stands in the device's arrays now, [n_particles].
+  std::vector<std::uint32_t> places_by_id() const;
+
  private:
   void run(const std::vector<PlanEntry>& entries);
   bool map_is_outdated();
@@ -37,8 +40,6 @@ class DeviceSimulation : public Simulation {
   std::vector<double> download_reals(DeviceArray array) const;
   std::vector<double> download_places() const;  // x, y, z, radius [m] a particle
   std::vector<double> download_displacements_before() const;
-  // Where the k-th particle by id stands in the device's arrays now, [n_particles].
-  std::vector<std::uint32_t> places_by_id() const;
   ContactHistory history_before(const std::vector<std::uint32_t>& places) const;
 
   std::unique_ptr<ComputeDevice> device_;

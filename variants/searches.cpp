@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "variants/orders.hpp"
 #include "variants/plan_builder.hpp"
 
 namespace warpgrain {
@@ -70,23 +71,30 @@ void plan_warp_per_cell(PlanBuilder& b) {
 std::span<const Search> searches() {
   static constexpr std::array<Search, 7> rows{{
       {"cells", "each work-item walks the 27 cells around its particle", "search/cells.cl", Lists::none,
-       false, nullptr, plan_cells},
+       false, WorkItems::as_in_memory, nullptr, plan_cells},
       {"two_phase", "each work-item lists its contacts first, then applies the law to one after the other",
-       "search/two_phase.cl", Lists::contacts, false, nullptr, plan_with_list},
+       "search/two_phase.cl", Lists::contacts, false, WorkItems::as_in_memory, nullptr, plan_with_list},
       {"contact_list", "the contacts of a work-group are listed, then dealt out to its work-items, one each",
-       "search/contact_list.cl", Lists::contacts, false, nullptr, plan_with_list},
+       "search/contact_list.cl", Lists::contacts, false, WorkItems::as_in_memory, nullptr, plan_with_list},
       {"verlet", "neighbour lists with a skin, made anew when a particle has moved half of it",
-       "search/verlet.cl", Lists::neighbours, false, list_neighbours, plan_verlet},
+       "search/verlet.cl", Lists::neighbours, false, WorkItems::as_in_memory, list_neighbours, plan_verlet},
       {"half_shell", "each pair once, for both its particles: integer atomics make sums that can be repeated",
-       "search/half_shell.cl", Lists::contacts, true, nullptr, plan_half_shell},
+       "search/half_shell.cl", Lists::contacts, true, WorkItems::as_in_map, nullptr, plan_half_shell},
       {"cluster",
        "lists of groups of eight particles with a skin; the lanes of a group walk its list together",
-       "search/cluster.cl", Lists::groups, false, list_groups, plan_cluster},
+       "search/cluster.cl", Lists::groups, false, WorkItems::as_in_map, list_groups, plan_cluster},
       {"warp_per_cell",
        "a warp a block of cells, whose lanes all test the candidates of the block, from local memory",
-       "search/warp_per_cell.cl", Lists::contacts, false, nullptr, plan_warp_per_cell},
+       "search/warp_per_cell.cl", Lists::contacts, false, WorkItems::of_none, nullptr, plan_warp_per_cell},
   }};
   return rows;
+}
+
+bool works_as_in_memory(const Variant& variant) {
+  const WorkItems work_items = search_of(variant).work_items;
+  const Order& order = order_of(variant);
+  return work_items == WorkItems::as_in_memory ||
+         (work_items == WorkItems::as_in_map && order.moves_particles && !order.by_contacts);
 }
 
 }  // namespace warpgrain

@@ -30,7 +30,8 @@ void require_answers(const std::vector<profiler::WhatIf>& questions,
 std::vector<profiler::LaunchProfile> profile_step(const Scene& scene, const Variant& variant,
                                                   const profiler::ProfileOptions& options,
                                                   const BackendOptions& backend,
-                                                  const std::filesystem::path& export_folder) {
+                                                  const std::filesystem::path& export_folder,
+                                                  ProfiledState* left) {
   const auto mode =
       options.addresses ? profiler::TraceMode::blocks_and_addresses : profiler::TraceMode::blocks;
   std::unique_ptr<SimtDevice> device =
@@ -43,6 +44,7 @@ std::vector<profiler::LaunchProfile> profile_step(const Scene& scene, const Vari
   simulation.step(1);
   std::vector<profiler::LaunchProfile> launches = simulator.take_profiles();
   require_answers(options.what_if, launches);
+  if (left != nullptr) *left = {simulation.state(), simulation.places_by_id()};
   return launches;
 }
 

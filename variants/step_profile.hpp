@@ -11,16 +11,23 @@
 
 namespace warpgrain {
 
+// What a profiled step leaves.
+struct ProfiledState {
+  ParticleState particles;            // by id
+  std::vector<std::uint32_t> places;  // of these in the arrays that the kernels worked on, [n_particles]
+};
+
 // Profiles one time step (integrate ... forces from walls) of `variant`, beginning at the scene's particle
 // state. One entry a kernel launch, in the order of launching. Throws as Simulation::step does, and
 // InputError when this build has no simulator. Of `backend` the kernel folder counts, and the threads where
 // `options` leaves them open. What-if questions that sort threads by a count are answered for the kernels
 // that have it; that none has is an InputError. The first launch of each kernel is exported to
-// `export_folder`, unless that is empty.
+// `export_folder`, unless that is empty. `left` is filled in unless it is null.
 std::vector<profiler::LaunchProfile> profile_step(const Scene& scene, const Variant& variant,
                                                   const profiler::ProfileOptions& options,
                                                   const BackendOptions& backend = {},
-                                                  const std::filesystem::path& export_folder = {});
+                                                  const std::filesystem::path& export_folder = {},
+                                                  ProfiledState* left = nullptr);
 
 // Throws InputError for a question that sorts threads by a count which none of the launches has.
 void require_answers(const std::vector<profiler::WhatIf>& questions,

@@ -32,6 +32,8 @@ WarpCounters::WarpCounters(const KernelGraph& graph, std::uint32_t width)
 
 void WarpCounters::add(const WarpCounters& other) {
   warps += other.warps;
+  issued.warp_instructions += other.issued.warp_instructions;
+  issued.thread_instructions += other.issued.thread_instructions;
   add_each(block_executions, other.block_executions);
   add_each(divergent, other.divergent);
   add_each(taken_lanes, other.taken_lanes);
@@ -53,7 +55,10 @@ void WarpCounterObserver::warp_begins(std::uint64_t) { ++counters_.warps; }
 
 void WarpCounterObserver::block_issued(const LaneGroup& group,
                                        std::span<const std::uint64_t* const> addresses) {
-  ++counters_.executions(group.block)[static_cast<std::size_t>(std::popcount(group.lanes))];
+  const auto n_lanes = static_cast<std::size_t>(std::popcount(group.lanes));
+  ++counters_.executions(group.block)[n_lanes];
+  counters_.issued.warp_instructions += graph_.blocks[group.block].instructions.size();
+  counters_.issued.thread_instructions += graph_.blocks[group.block].instructions.size() * n_lanes;
   if (addresses.empty()) return;
   const auto& accesses = graph_.blocks[group.block].accesses;
   std::array<std::uint64_t, max_request_lanes> of_lanes;

@@ -30,6 +30,7 @@ struct WarpCounters {
 
   std::uint32_t warp_width;
   std::uint64_t warps = 0;
+  WarpSums issued;                              // by all of them
   std::vector<std::uint64_t> block_executions;  // [n_blocks][warp_width + 1]
   std::vector<std::uint64_t> divergent;         // [n_blocks]: executions whose lanes went different ways
   std::vector<std::uint64_t> taken_lanes;  // [n_blocks]: lanes that went to the first of several successors

@@ -27,7 +27,7 @@ std::string branches_view(const KernelSummary& kernel) {
   Table table({{"branch", "the // branch: comment of the source line, else the line", true},
                {"place", "", true},
                {"share of the loss", "of the lane slots that this kernel lost"},
-               {"lost lane slots", std::string(metric("lane_slots_lost").definition)},
+               {"lost lane slots", explanation(metric("lane_slots_lost"))},
                {"executions", "by warps"},
                {"lanes disagreed", "share of the executions"},
                {"lanes that took it", "share of the lanes that executed it"},

@@ -15,25 +15,12 @@ namespace {
 
 using ChartData = nlohmann::ordered_json;
 
-constexpr std::string_view chart_mark = "<div class=\"chart\"";
-
-// charts.js has a function for each kind.
+// The scripts have a function for each kind.
 std::string chart_of(std::string_view kind, std::string_view title, const ChartData& data) {
   const std::string json = data.dump(-1, ' ', false, ChartData::error_handler_t::replace);
-  return fmt::format("<h3>{}</h3>\n{} data-kind=\"{}\" data-chart=\"{}\"></div>\n", escape(title), chart_mark,
-                     kind, escape(json));
-}
-
-// Text that stands between CDATA's marks for readers of XML. What ends them stands in strings of the library,
-// where it can be written in another way, and in comparisons, which a blank does not change.
-std::string script_of(std::string_view text) {
-  std::string script(text);
-  for (std::size_t at = 0; (at = script.find("]]>", at)) != std::string::npos; at += 3)
-    if (at > 0 && script[at - 1] == '"')
-      script.replace(at + 2, 1, "\\x3e");
-    else
-      script.insert(at + 2, " ");
-  return fmt::format("<script>//<![CDATA[\n{}\n//]]></script>\n", script);
+  return fmt::format(
+      "<h3>{0}</h3>\n<div class=\"chart\" data-title=\"{0}\" data-kind=\"{1}\" data-chart=\"{2}\"></div>\n",
+      escape(title), kind, escape(json));
 }
 
 ChartData number_or_null(const std::optional<double>& value) {
@@ -41,6 +28,78 @@ ChartData number_or_null(const std::optional<double>& value) {
 }
 
 }  // namespace
+
+std::string trade_off_chart(std::string_view title, const TradeOff& trade_off) {
+  if (echarts_script().empty() || trade_off.names.size() < 2 || trade_off.columns.empty()) return {};
+  ChartData data{
+      {"names", trade_off.names}, {"x", trade_off.x}, {"y", trade_off.y}, {"columns", ChartData::array()}};
+  for (const TradeOff::Column& column : trade_off.columns) {
+    ChartData values = ChartData::array();
+    for (const std::optional<double>& value : column.values) values.push_back(number_or_null(value));
+    data["columns"].push_back(
+        {{"name", column.name}, {"higher_is_better", column.higher_is_better}, {"values", values}});
+  }
+  if (!trade_off.beaten.empty()) data["beaten"] = trade_off.beaten;
+  return chart_of("trade_off", title, data);
+}
+
+std::string xy_chart(std::string_view title, const XyChart& chart) {
+  ChartData data{{"x", chart.x},
+                 {"y", chart.y},
+                 {"diagonal", chart.diagonal},
+                 {"from_zero", chart.from_zero},
+                 {"series", ChartData::array()}};
+  bool any = false;
+  for (const XyChart::Series& series : chart.series) {
+    ChartData points = ChartData::array();
+    for (const XyChart::Point& point : series.points) {
+      ChartData drawn{{"x", point.x}, {"y", point.y}};
+      if (!point.label.empty()) drawn["label"] = point.label;
+      if (point.low && point.high) {
+        drawn["low"] = *point.low;
+        drawn["high"] = *point.high;
+      }
+      points.push_back(drawn);
+    }
+    any = any || !points.empty();
+    data["series"].push_back({{"name", series.name}, {"line", series.line}, {"points", points}});
+  }
+  return any && !echarts_script().empty() ? chart_of("xy", title, data) : "";
+}
+
+std::string bar_chart(std::string_view title, const BarChart& chart) {
+  if (echarts_script().empty() || chart.names.empty()) return {};
+  ChartData data{
+      {"names", chart.names}, {"value", chart.value}, {"log", chart.log}, {"series", ChartData::array()}};
+  for (const BarChart::Series& series : chart.series) {
+    ChartData values = ChartData::array();
+    for (const std::optional<double>& value : series.values) values.push_back(number_or_null(value));
+    data["series"].push_back({{"name", series.name}, {"values", values}});
+  }
+  return chart_of("bars", title, data);
+}
+
+std::string interval_chart(std::string_view title, const IntervalChart& chart) {
+  if (echarts_script().empty() || chart.points.empty()) return {};
+  ChartData data{
+      {"value", chart.value}, {"reference", number_or_null(chart.reference)}, {"points", ChartData::array()}};
+  for (const IntervalChart::Point& point : chart.points)
+    data["points"].push_back({{"name", point.name},
+                              {"mean", point.mean},
+                              {"low", point.low},
+                              {"high", point.high},
+                              {"marked", point.marked}});
+  return chart_of("intervals", title, data);
+}
+
+std::string difference_chart(std::string_view title, const DifferenceChart& chart) {
+  if (echarts_script().empty() || chart.rows.empty()) return {};
+  ChartData data{{"base", chart.base}, {"other", chart.other}, {"rows", ChartData::array()}};
+  for (const DifferenceChart::Row& row : chart.rows)
+    data["rows"].push_back(
+        {{"kernel", row.kernel}, {"metric", row.metric}, {"base", row.base}, {"other", row.other}});
+  return chart_of("differences", title, data);
+}
 
 std::string sweep_charts(const SweepIndex& index) {
   std::vector<const SweepCase*> done;
@@ -92,12 +151,6 @@ std::string what_if_chart(const profiler::LaunchCounters& counters) {
   if (echarts_script().empty() || widths.size() < 2) return {};
   for (const std::uint32_t width : widths) data["widths"].push_back(width);
   return chart_of("what_if", "SIMT efficiency by warp width", data);
-}
-
-std::string chart_scripts(std::string_view body) {
-  if (body.find(chart_mark) == std::string_view::npos && body.find("data-lanes=") == std::string_view::npos)
-    return {};
-  return echarts_script().empty() ? "" : script_of(echarts_script()) + script_of(asset("html/charts.js"));
 }
 
 }  // namespace warpgrain::reports::html

@@ -3,27 +3,21 @@
 #include "reports/html/page.hpp"
 #include "reports/html/table.hpp"
 #include "reports/html/views.hpp"
-#include "reports/metrics.hpp"
 
 namespace warpgrain::reports::html {
 namespace {
 
-Table::Column column(const char* key) {
-  const Metric& m = metric(key);
-  return {std::string(m.label), std::string(m.definition)};
-}
-
 Table table_of(Table::Column second) {
   return Table({{"kernel", "", true},
                 std::move(second),
-                column("simt_efficiency"),
-                column("active_lanes"),
-                column("warp_instructions"),
+                Table::of_metric("simt_efficiency"),
+                Table::of_metric("active_lanes"),
+                Table::of_metric("warp_instructions"),
                 {"share", "of the warp instructions of all launches"},
-                column("branches"),
-                column("divergent_branches"),
-                column("sfu_instructions"),
-                column("sectors_per_load")});
+                Table::of_metric("branches"),
+                Table::of_metric("divergent_branches"),
+                Table::of_metric("sfu_instructions"),
+                Table::of_metric("sectors_per_load")});
 }
 
 std::vector<Cell> row_of(const std::string& name, Cell second, const Headline& headline, double all) {

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "reports/html/charts.hpp"
+#include "reports/html/page_scripts.hpp"
 
 namespace warpgrain::reports::html {
 
@@ -52,7 +52,7 @@ std::string page(std::string_view title, std::string_view body) {
       "<style>\n{}</style>\n</head>\n<body>\n<main>\n{}</main>\n<script>\n{}{}</script>\n{}</body>\n</"
       "html>\n",
       escape(title), asset("html/page.css"), body, asset("html/sort.js"), asset("html/filter.js"),
-      chart_scripts(body));
+      page_scripts(body));
 }
 
 }  // namespace warpgrain::reports::html

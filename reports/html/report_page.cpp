@@ -21,7 +21,8 @@ std::string kernel_section(const KernelSummary& kernel, std::uint64_t all_instru
       percent_text(static_cast<double>(counters.totals.warp_instructions),
                    static_cast<double>(all_instructions)),
       fixed_text(headline.simt_efficiency, 3), html::histogram_view(counters), html::branches_view(kernel),
-      html::what_if_view(kernel) + html::source_view(kernel) + html::blocks_view(kernel),
+      html::timeline_view(kernel) + html::what_if_view(kernel) + html::source_view(kernel) +
+          html::blocks_view(kernel),
       html::instruction_mix_view(counters.totals));
 }
 
@@ -35,6 +36,7 @@ std::string report_page(const Report& report) {
       html::diagnostics_view(report) + html::headline_view(kernels), html::kernels_view(report, kernels));
   body += html::machine_view(report, kernels);
   body += html::model_view(report.model);
+  body += html::bed_view(report);
   body += "<h2>Kernel by kernel</h2>\n";
   const std::uint64_t all_instructions = headline_of(kernels).warp_instructions;
   for (const KernelSummary& kernel : kernels)

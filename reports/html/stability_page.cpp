@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "reports/html/page.hpp"
+#include "reports/html/provenance.hpp"
 #include "reports/html/table.hpp"
 #include "reports/stability_report.hpp"
 
@@ -57,11 +58,8 @@ std::string stability_page(const StabilityReport& report) {
   for (const StabilityReport::Probe& probe : report.probes)
     body += fmt::format("<dt>{}</dt><dd>{}; {}</dd>\n", html::escape(probe.name), html::escape(probe.summary),
                         html::escape(probe.invariant));
-  body += fmt::format(
-      "</dl>\n<h2>Where these numbers come from</h2>\n<dl><dt>warpgrain</dt><dd><code>{}, revision "
-      "{}</code></dd><dt>command</dt><dd><code>{}</code></dd></dl>\n",
-      html::escape(report.generator.version), html::escape(report.generator.git_revision),
-      html::escape(report.command_line));
+  body += "</dl>\n" + html::provenance(report.generator, report.command_line,
+                                       {{"format", std::string(stability_format)}});
   return html::page("Stability", body);
 }
 

@@ -6,6 +6,8 @@
 
 #include "reports/html/charts.hpp"
 #include "reports/html/page.hpp"
+#include "reports/html/provenance.hpp"
+#include "reports/html/sweep_changes.hpp"
 #include "reports/html/table.hpp"
 #include "reports/sweep_columns.hpp"
 
@@ -62,13 +64,14 @@ std::string list_of(std::string_view heading, const std::vector<std::string>& li
 
 }  // namespace
 
-std::string sweep_page(const SweepIndex& index) {
+std::string sweep_page(const SweepIndex& index, const SweepIndex* baseline) {
   const std::string title = title_of(index);
   std::string body = fmt::format(
       "<h1>{}</h1>\n<p class=\"soft\">Variant sweep; click a heading to sort, point at it for "
       "its meaning.</p>\n{}",
       html::escape(title), table_of(index).html());
   body += html::sweep_charts(index);
+  if (baseline != nullptr) body += html::sweep_changes(index, *baseline);
   body += "<h2>Columns</h2>\n<dl>\n";
   for (const SweepColumn& column : sweep_columns(index))
     body += fmt::format("<dt>{}</dt><dd>{}</dd>\n", html::escape(column.heading),
@@ -76,11 +79,8 @@ std::string sweep_page(const SweepIndex& index) {
   body += "</dl>\n";
   body += list_of("Not done", troubles_of(index));
   body += list_of("Kernels and devices", notes_of(index));
-  body += fmt::format(
-      "<h2>Where these numbers come from</h2>\n<dl><dt>warpgrain</dt><dd><code>{}, revision {}</code></dd>"
-      "<dt>command</dt><dd><code>{}</code></dd></dl>\n",
-      html::escape(index.generator.version), html::escape(index.generator.git_revision),
-      html::escape(index.command_line));
+  body += html::provenance(index.generator, index.command_line,
+                           {{"format", std::string(sweep_format)}, {"scene", index.scene}});
   return html::page(title, body);
 }
 

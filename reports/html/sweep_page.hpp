@@ -8,6 +8,7 @@
 
 namespace warpgrain::reports {
 
-std::string sweep_page(const SweepIndex& index);
+// With what changed from `baseline`, where there is one.
+std::string sweep_page(const SweepIndex& index, const SweepIndex* baseline = nullptr);
 
 }  // namespace warpgrain::reports

@@ -27,6 +27,17 @@ Cell optional_cell(std::optional<double> value, int decimals) {
   return value ? number_cell(*value, decimals) : Cell{"-", {}, {}};
 }
 
+std::string explanation(const Metric& metric) {
+  return metric.ncu_metric.empty()
+             ? std::string(metric.definition)
+             : fmt::format("{}\nNsight Compute: {}", metric.definition, metric.ncu_metric);
+}
+
+Table::Column Table::of_metric(std::string_view key) {
+  const Metric& m = metric(key);
+  return {std::string(m.label), explanation(m)};
+}
+
 Table::Table(std::vector<Column> columns) : columns_(std::move(columns)) {}
 
 void Table::add_row(std::vector<Cell> cells) {

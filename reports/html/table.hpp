@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "reports/metrics.hpp"
+
 namespace warpgrain::reports::html {
 
 struct Cell {
@@ -21,6 +23,9 @@ Cell number_cell(double value, int decimals);
 Cell share_cell(double part, double whole);                     // a percentage and a bar
 Cell optional_cell(std::optional<double> value, int decimals);  // "-" for none
 
+// What a number is, and what Nsight Compute calls it.
+std::string explanation(const Metric& metric);
+
 class Table {
  public:
   struct Column {
@@ -33,6 +38,8 @@ class Table {
   void add_row(std::vector<Cell> cells);     // one a column
   void set_footer(std::vector<Cell> cells);  // one a column; stays below when sorting
   std::string html() const;
+
+  static Column of_metric(std::string_view key);
 
  private:
   std::string row_html(const std::vector<Cell>& cells) const;

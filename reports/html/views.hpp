@@ -28,6 +28,9 @@ std::string branches_view(const KernelSummary& kernel);
 // The launch under other widths, policies and thread orders; empty when nothing was asked.
 std::string what_if_view(const KernelSummary& kernel);
 
+// What chosen warps did, block by block, on a canvas; empty when none was followed.
+std::string timeline_view(const KernelSummary& kernel);
+
 // The source, line by line, with what each line cost. Stretches that made no instruction are left out.
 std::string source_view(const KernelSummary& kernel);
 
@@ -39,6 +42,9 @@ std::string lanes_bars(const std::vector<std::uint64_t>& lane_histogram);
 
 // What the special-function units cost on the report's machine; empty without one.
 std::string machine_view(const Report& report, const std::vector<KernelSummary>& kernels);
+
+// The particles on a canvas; empty without.
+std::string bed_view(const Report& report);
 
 // Which parts of the model the kernels have, and what that saves; empty for a launch file.
 std::string model_view(const ModelledParts& parts);

@@ -4,15 +4,9 @@
 #include "reports/html/page.hpp"
 #include "reports/html/table.hpp"
 #include "reports/html/views.hpp"
-#include "reports/metrics.hpp"
 
 namespace warpgrain::reports::html {
 namespace {
-
-Table::Column what_if_column(const char* key) {
-  const Metric& m = metric(key);
-  return {std::string(m.label), std::string(m.definition)};
-}
 
 std::vector<Cell> row_of(const profiler::WhatIfTotals& answer, const profiler::Totals& run) {
   const profiler::Totals& totals = answer.totals;
@@ -41,13 +35,13 @@ std::string what_if_view(const KernelSummary& kernel) {
                 "each block can beat",
                 true},
                {"thread order", "in which order the threads fill the warps", true},
-               what_if_column("simt_efficiency"),
-               what_if_column("active_lanes"),
-               what_if_column("warp_instructions"),
+               Table::of_metric("simt_efficiency"),
+               Table::of_metric("active_lanes"),
+               Table::of_metric("warp_instructions"),
                {"against the run", "warp instructions over those of the run itself"},
-               what_if_column("divergent_branches"),
-               what_if_column("sfu_instructions"),
-               what_if_column("sectors_per_load")});
+               Table::of_metric("divergent_branches"),
+               Table::of_metric("sfu_instructions"),
+               Table::of_metric("sectors_per_load")});
   for (const profiler::WhatIfTotals& answer : kernel.counters.what_if)
     table.add_row(row_of(answer, kernel.counters.totals));
   std::string html =

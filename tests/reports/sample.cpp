@@ -61,13 +61,16 @@ profiler::LaunchProfile launch(const std::string& kernel) {
                .instructions = 5,
                .executions = 2,
                .divergent = 1,
-               .lane_histogram = {0, 0, 0, 0, 2}},
+               .lane_histogram = {0, 0, 0, 0, 2},
+               .file = ""},
               {.block = 1,
                .label = "then",
                .instructions = 3,
                .executions = 2,
                .divergent = 0,
-               .lane_histogram = {0, 0, 2, 0, 0}}};
+               .lane_histogram = {0, 0, 2, 0, 0},
+               .file = "contact/law.cl",
+               .line = 3}};
   c.branches = {{.file = "contact/law.cl",
                  .line = 2,
                  .label = "contact test",
@@ -82,6 +85,12 @@ profiler::LaunchProfile launch(const std::string& kernel) {
       {warp_width, "min_pc", "launched", 0, 2, totals(12, 2), true, ""},
       {warp_width, "ipdom", "sorted:contact test", 0, 2, without_requests(totals(13, 0)), false, remark},
       {warp_width, "", "launched", 64, 0, of_a_pool(totals(11, 0)), false, remark}};
+  c.timelines = {{.warp = 1,
+                  .chosen_as = {"median", "worst"},
+                  .sums = {16, 52},
+                  .executions = 5,  // two were cut off
+                  .blocks = {0, 1, 1},
+                  .lanes = {15, 9, 6}}};
   profile.source = source_text;
   profile.source_name = "step.cl";
   profile.ptx = "// " + kernel;
@@ -110,6 +119,19 @@ Report report() {
   r.step = 4000;
   r.machine = load_machine("fermi_c2050");
   r.launches[0].ptx.file = "report.ptx";
+  r.bed = Bed{.particles = 16384,
+              .slab = "the 3 nearest to y = 0.5 m",
+              .kernel = "force",
+              .unit = 1e-4,
+              .box = {{-50, -50, 0}, {50, 50, 100}},
+              .x = {-40, 0, 40},
+              .y = {0, 0, 0},
+              .z = {10, 10, 50},
+              .radius = {10},
+              .contacts = {0, 1, 2},
+              .candidates = {3, 4, 5},
+              .warp = {0, 0, 1},
+              .efficiency = {0.25, 0.25, 1}};
   return r;
 }
 

@@ -46,6 +46,26 @@ TEST(Documents, SweepsSurviveARoundTrip) {
   EXPECT_EQ(round_trip(text, read_sweep, sweep_json), text);
 }
 
+TEST(Documents, PapersSurviveARoundTrip) {
+  const std::string text = paper_json(sample::paper());
+  EXPECT_EQ(round_trip(text, read_paper, paper_json), text);
+}
+
+TEST(Documents, ComparisonsSurviveARoundTrip) {
+  Comparison comparison = sample::comparison();
+  EXPECT_EQ(round_trip(comparison_json(comparison), read_comparison, comparison_json),
+            comparison_json(comparison));
+  comparison.order.emplace();
+  comparison.order->by_time = true;
+  comparison.order->rows = {{"a/b", 100, 1e-3, 1.1e-3}};
+  comparison.order->tau = 0.5;
+  comparison.order->interval = {0.25, 0.75};
+  comparison.order->error = {0.125, 0.5};
+  comparison.order->left_out = {{0.25, 0.5}, {0.125, 0.25}};
+  EXPECT_EQ(round_trip(comparison_json(comparison), read_comparison, comparison_json),
+            comparison_json(comparison));
+}
+
 TEST(Documents, TheTextOfASourceStandsOnce) {
   const Json report = Json::parse(report_json(sample::report()));
   EXPECT_TRUE(report["launches"][0]["source"].contains("text"));

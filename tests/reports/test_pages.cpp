@@ -2,7 +2,10 @@
 #include <gtest/gtest.h>
 
 #include "core/file_io.hpp"
+#include "reports/html/accuracy_page.hpp"
+#include "reports/html/comparison_page.hpp"
 #include "reports/html/page.hpp"
+#include "reports/html/paper_page.hpp"
 #include "reports/html/report_page.hpp"
 #include "reports/html/sweep_page.hpp"
 #include "reports/metrics.hpp"
@@ -35,12 +38,24 @@ TEST(Pages, AreWellFormedWhateverNamesHold) {
   const TemporaryFolder folder;
   write_file_atomically(folder / "report.html", report_page(report));
   write_file_atomically(folder / "sweep.html", sweep_page(sweep));
-  EXPECT_THAT(run_python("well_formed.py", {folder / "report.html", folder / "sweep.html"}),
-              testing::ElementsAre("well-formed", "well-formed"));
+  Comparison comparison = sample::comparison();
+  comparison.only_in_base = {"<&>"};
+  write_file_atomically(folder / "comparison.html", comparison_page(comparison));
+  write_file_atomically(folder / "paper.html", paper_page(sample::paper()));
+  write_file_atomically(folder / "accuracy.html", accuracy_page(sample::accuracy()));
+  write_file_atomically(folder / "stability.html", stability_page(sample::stability()));
+  write_file_atomically(folder / "changes.html", sweep_page(sweep, &sweep));
+  EXPECT_THAT(
+      run_python("well_formed.py", {folder / "report.html", folder / "sweep.html", folder / "comparison.html",
+                                    folder / "paper.html", folder / "accuracy.html",
+                                    folder / "stability.html", folder / "changes.html"}),
+      testing::Each("well-formed"));
 }
 
 TEST(Pages, NeedNothingFromOutside) {
-  for (std::string page : {report_page(sample::report()), sweep_page(sample::sweep())}) {
+  for (std::string page :
+       {report_page(sample::report()), sweep_page(sample::sweep()), comparison_page(sample::comparison()),
+        paper_page(sample::paper()), accuracy_page(sample::accuracy())}) {
     // ECharts names the namespace of SVG, and has functions that load pictures, which its charts here do not
     // have.
     if (const std::size_t scripts = page.rfind("<script>//<![CDATA["); scripts != std::string::npos)

@@ -1,0 +1,163 @@
+#include "reports/html/paper_page.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "reports/html/charts.hpp"
+#include "reports/html/page.hpp"
+#include "reports/html/provenance.hpp"
+#include "reports/html/table.hpp"
+#include "reports/number_text.hpp"
+
+namespace warpgrain::reports {
+namespace {
+
+using Row = PaperReport::Row;
+
+html::Cell paper_cell(const std::optional<double>& value) {
+  if (!value) return html::text_cell("-");
+  return {std::abs(*value) >= 1e5 ? count_text(static_cast<std::uint64_t>(std::llround(*value)))
+                                  : fmt::format("{:.4g}", *value),
+          *value,
+          {}};
+}
+
+std::string name_with_unit(const Row& row) {
+  return row.unit.empty() ? row.quantity : fmt::format("{} [{}]", row.quantity, row.unit);
+}
+
+// The first measured value, and the others below it.
+html::Cell measured_cell(const Row& row) {
+  html::Cell cell = row.measured.empty() ? html::text_cell("-") : paper_cell(row.measured[0].value);
+  for (std::size_t k = 0; k < row.measured.size(); ++k) {
+    if (k > 0) cell.html += "<br/>" + paper_cell(row.measured[k].value).html;
+    cell.html += fmt::format(" <span class=\"soft\">{}</span>", html::escape(row.measured[k].on));
+  }
+  return cell;
+}
+
+html::Table section_table(const std::vector<const Row*>& rows) {
+  html::Table table({{"quantity", "", true},
+                     {"paper", "as the paper has it"},
+                     {"model", "the paper's formula, computed"},
+                     {"simulated", "counted by the simulator"},
+                     {"measured", "on a real device", true},
+                     {"remark", "", true}});
+  for (const Row* row : rows)
+    table.add_row({html::text_cell(name_with_unit(*row)), paper_cell(row->paper), paper_cell(row->model),
+                   paper_cell(row->simulated), measured_cell(*row), html::text_cell(row->remark)});
+  return table;
+}
+
+// The values of a section that have a unit or are factors, beside each other; where one source alone has
+// values there is nothing to compare.
+std::string section_chart(const std::string& section, const std::vector<const Row*>& rows) {
+  std::string unit;
+  for (const Row* row : rows)
+    if (!row->unit.empty()) unit = row->unit;
+  html::BarChart chart;
+  chart.log = true;
+  chart.value = unit.empty() ? "factor" : unit;
+  chart.series = {{"paper", {}}, {"model", {}}, {"simulated", {}}, {"measured", {}}};
+  for (const Row* row : rows) {
+    if (row->unit != unit) continue;
+    const std::optional<double> measured =
+        row->measured.empty() ? std::nullopt : std::optional(row->measured[0].value);
+    const std::optional<double> values[] = {row->paper, row->model, row->simulated, measured};
+    if (std::ranges::count_if(values, [](const auto& value) { return value && *value > 0; }) < 2) continue;
+    chart.names.push_back(row->quantity);
+    for (std::size_t k = 0; k < 4; ++k)
+      chart.series[k].values.push_back(values[k] && *values[k] > 0 ? values[k] : std::nullopt);
+  }
+  return html::bar_chart(section + ", side by side", chart);
+}
+
+std::string sections_html(const PaperReport& report) {
+  std::vector<std::pair<std::string, std::vector<const Row*>>> sections;
+  for (const Row& row : report.rows) {
+    if (sections.empty() || sections.back().first != row.section) sections.push_back({row.section, {}});
+    sections.back().second.push_back(&row);
+  }
+  std::string html;
+  for (const auto& [section, rows] : sections)
+    html += fmt::format("<h2>{}</h2>\n{}{}", html::escape(section), section_table(rows).html(),
+                        section_chart(section, rows));
+  return html;
+}
+
+bool is_heavy(const PaperReport::Sample& sample, const PaperReport::Sample::Kernel& kernel) {
+  std::uint64_t all = 0;
+  for (const auto& other : sample.kernels) all += other.warp_instructions;
+  return kernel.warp_instructions * 100 >= all;
+}
+
+html::XyChart::Series& series_named(html::XyChart& chart, const std::string& name) {
+  const auto known = std::ranges::find(chart.series, name, &html::XyChart::Series::name);
+  return known != chart.series.end() ? *known
+                                     : chart.series.emplace_back(html::XyChart::Series{name, true, {}});
+}
+
+std::string fall_html(const PaperReport& report) {
+  if (report.samples.empty()) return {};
+  html::XyChart efficiency{"time [s]", "SIMT efficiency", {}, false, true};
+  html::XyChart neighbours{"time [s]", "a particle", {}, false, true};
+  for (const PaperReport::Sample& sample : report.samples) {
+    const std::string label = fmt::format("step {}", count_text(sample.step));
+    for (const auto& kernel : sample.kernels)
+      if (is_heavy(sample, kernel))
+        series_named(efficiency, kernel.kernel)
+            .points.push_back({sample.time, kernel.simt_efficiency, label, {}, {}});
+    series_named(neighbours, "candidates, mean")
+        .points.push_back({sample.time, sample.mean_candidates, label, {}, {}});
+    series_named(neighbours, "contacts, mean")
+        .points.push_back({sample.time, sample.mean_contacts, label, {}, {}});
+  }
+  html::Table table({{"step", ""},
+                     {"time [s]", ""},
+                     {"candidates", "other particles in the 27 cells, mean"},
+                     {"most", "of any particle"},
+                     {"contacts", "mean"},
+                     {"most", "of any particle"}});
+  for (const PaperReport::Sample& sample : report.samples)
+    table.add_row({html::count_cell(sample.step), html::number_cell(sample.time, 4),
+                   html::number_cell(sample.mean_candidates, 2), html::count_cell(sample.most_candidates),
+                   html::number_cell(sample.mean_contacts, 2), html::count_cell(sample.most_contacts)});
+  return "<h2>From falling to rest</h2>\n" +
+         html::xy_chart("SIMT efficiency of the kernels with a hundredth of the warp instructions",
+                        efficiency) +
+         html::xy_chart("Candidates and contacts", neighbours) + table.html();
+}
+
+std::string paths_html(const PaperReport& report) {
+  if (report.paths.empty()) return {};
+  html::Table table({{"body at", "a loop, or the kernel outside of loops", true},
+                     {"branches", "conditional ones of the body"},
+                     {"paths allowed", "2 to the number of branches"},
+                     {"paths taken", "different ones that lanes took"},
+                     {"passes of lanes", ""},
+                     {"share of instructions", "of all that lanes ran"}});
+  for (const PaperReport::Paths& paths : report.paths)
+    table.add_row(
+        {html::text_cell(paths.line == 0 ? paths.kernel : fmt::format("{}:{}", paths.file, paths.line)),
+         html::count_cell(paths.branches), paper_cell(std::exp2(paths.branches)),
+         html::count_cell(paths.paths), html::count_cell(paths.passes),
+         html::share_cell(paths.instruction_share, 1)});
+  return fmt::format("<h2>Paths of lanes through <code>{}</code></h2>\n{}",
+                     html::escape(report.paths.front().kernel), table.html());
+}
+
+}  // namespace
+
+std::string paper_page(const PaperReport& report) {
+  const std::string title = "Washizawa and Nakahara's tables and figures";
+  std::string body = fmt::format(
+      "<h1>{}</h1>\n<p class=\"soft\">{}, {} particles. Point at a heading for what a column holds.</p>\n",
+      title, html::escape(report.scene), count_text(report.particles));
+  body += sections_html(report) + fall_html(report) + paths_html(report);
+  body += html::provenance(report.generator, report.command_line,
+                           {{"format", std::string(paper_format)}, {"scene", report.scene}});
+  return html::page(title, body);
+}
+
+}  // namespace warpgrain::reports
