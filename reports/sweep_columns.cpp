@@ -75,24 +75,25 @@ std::string significant(const SweepCase& c) {
 }
 
 constexpr SweepColumn columns[] = {
-    {"SIMT efficiency", "active lanes / warp width, over every launch of a step", true, fixed<efficiency, 3>,
-     efficiency},
+    {"SIMT efficiency", "active lanes / warp width, over every launch of a step", true, "simt_efficiency",
+     fixed<efficiency, 3>, efficiency},
     {"of heaviest kernel", "SIMT efficiency of the kernel with the most warp instructions", true,
-     fixed<heaviest_kernel, 3>, heaviest_kernel},
-    {"active lanes", "thread instructions / warp instructions", true, fixed<active_lanes, 1>, active_lanes},
-    {"warp instructions", "instructions issued in a step, one a warp", false, count<warp_instructions>,
-     warp_instructions},
-    {"SFU instructions", "of these, on the special-function unit", false, count<sfu_instructions>,
-     sfu_instructions},
-    {"sectors/load", "32-byte sectors a global load touches on average", false, fixed<sectors_per_load, 2>,
-     sectors_per_load},
-    {"predicted step", "time of a step by the cost model, on the machine that --machine names", false,
+     "simt_efficiency", fixed<heaviest_kernel, 3>, heaviest_kernel},
+    {"active lanes", "thread instructions / warp instructions", true, "active_lanes", fixed<active_lanes, 1>,
+     active_lanes},
+    {"warp instructions", "instructions issued in a step, one a warp", false, "warp_instructions",
+     count<warp_instructions>, warp_instructions},
+    {"SFU instructions", "of these, on the special-function unit", false, "sfu_instructions",
+     count<sfu_instructions>, sfu_instructions},
+    {"sectors/load", "32-byte sectors a global load touches on average", false, "sectors_per_load",
+     fixed<sectors_per_load, 2>, sectors_per_load},
+    {"predicted step", "time of a step by the cost model, on the machine that --machine names", false, "",
      seconds<predicted_seconds>, predicted_seconds},
-    {"time/step", "median wall time of a step on the opencl back end", false, seconds<seconds_per_step>,
+    {"time/step", "median wall time of a step on the opencl back end", false, "", seconds<seconds_per_step>,
      seconds_per_step},
-    {"max error", "largest force error against the double reference, of the largest force", false,
+    {"max error", "largest force error against the double reference, of the largest force", false, "",
      significant<maximum_error>, maximum_error},
-    {"rms error", "root mean square of the same over the particles", false, significant<rms_error>,
+    {"rms error", "root mean square of the same over the particles", false, "", significant<rms_error>,
      rms_error},
 };
 
@@ -100,8 +101,9 @@ constexpr SweepColumn columns[] = {
 
 std::vector<SweepColumn> sweep_columns(const SweepIndex& index) {
   std::vector<SweepColumn> shown(std::begin(columns), std::end(columns));
-  if (std::ranges::none_of(index.cases, [](const SweepCase& c) { return predicted_seconds(c).has_value(); }))
-    std::erase_if(shown, [](const SweepColumn& column) { return column.value == predicted_seconds; });
+  for (const auto value : {predicted_seconds, seconds_per_step})
+    if (std::ranges::none_of(index.cases, [&](const SweepCase& c) { return value(c).has_value(); }))
+      std::erase_if(shown, [&](const SweepColumn& column) { return column.value == value; });
   return shown;
 }
 

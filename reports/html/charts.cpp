@@ -19,7 +19,8 @@ using ChartData = nlohmann::ordered_json;
 std::string chart_of(std::string_view kind, std::string_view title, const ChartData& data) {
   const std::string json = data.dump(-1, ' ', false, ChartData::error_handler_t::replace);
   return fmt::format(
-      "<h3>{0}</h3>\n<div class=\"chart\" data-title=\"{0}\" data-kind=\"{1}\" data-chart=\"{2}\"></div>\n",
+      "<h3>{0}</h3>\n<div class=\"scroll\"><div class=\"chart\" data-title=\"{0}\" data-kind=\"{1}\" "
+      "data-chart=\"{2}\"></div></div>\n",
       escape(title), kind, escape(json));
 }
 

@@ -1,6 +1,7 @@
 #include "reports/html/comparison_page.hpp"
 
 #include <cmath>
+#include <filesystem>
 #include <fmt/format.h>
 
 #include "reports/html/charts.hpp"
@@ -113,7 +114,8 @@ std::string order_html(const OrderComparison& order) {
 }  // namespace
 
 std::string comparison_page(const Comparison& comparison) {
-  const std::string title = fmt::format("{} beside {}", comparison.other, comparison.base);
+  const auto name = [](const std::string& file) { return std::filesystem::path(file).filename().string(); };
+  const std::string title = fmt::format("{} beside {}", name(comparison.other), name(comparison.base));
   std::string body = fmt::format("<h1>{}</h1>\n", html::escape(title));
   body += comparison.order ? order_html(*comparison.order) : differences_html(comparison);
   body += html::provenance(

@@ -27,12 +27,16 @@ std::string name_with_unit(const Row& row) {
   return row.unit.empty() ? row.quantity : fmt::format("{} [{}]", row.quantity, row.unit);
 }
 
+html::Cell wrapped(std::string_view text) {
+  return {fmt::format("<span class=\"wrap\">{}</span>", html::escape(text)), {}, {}};
+}
+
 // The first measured value, and the others below it.
 html::Cell measured_cell(const Row& row) {
   html::Cell cell = row.measured.empty() ? html::text_cell("-") : paper_cell(row.measured[0].value);
   for (std::size_t k = 0; k < row.measured.size(); ++k) {
     if (k > 0) cell.html += "<br/>" + paper_cell(row.measured[k].value).html;
-    cell.html += fmt::format(" <span class=\"soft\">{}</span>", html::escape(row.measured[k].on));
+    cell.html += fmt::format(" <span class=\"soft wrap\">{}</span>", html::escape(row.measured[k].on));
   }
   return cell;
 }
@@ -46,7 +50,7 @@ html::Table section_table(const std::vector<const Row*>& rows) {
                      {"remark", "", true}});
   for (const Row* row : rows)
     table.add_row({html::text_cell(name_with_unit(*row)), paper_cell(row->paper), paper_cell(row->model),
-                   paper_cell(row->simulated), measured_cell(*row), html::text_cell(row->remark)});
+                   paper_cell(row->simulated), measured_cell(*row), wrapped(row->remark)});
   return table;
 }
 
@@ -58,7 +62,7 @@ std::string section_chart(const std::string& section, const std::vector<const Ro
     if (!row->unit.empty()) unit = row->unit;
   html::BarChart chart;
   chart.log = true;
-  chart.value = unit.empty() ? "factor" : unit;
+  chart.value = unit.empty() ? "ratio or count" : unit;
   chart.series = {{"paper", {}}, {"model", {}}, {"simulated", {}}, {"measured", {}}};
   for (const Row* row : rows) {
     if (row->unit != unit) continue;

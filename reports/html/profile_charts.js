@@ -13,7 +13,7 @@
         return escaped(p.seriesName) + "<br/>" + p.name + " lanes: " + number(p.value[1]) + "<br/>" + number(p.value[2]) + " warp instructions";
       } },
       series: names.map(function (name) {
-        return { name: name, type: "line", symbolSize: name === "the run" ? 14 : 8, data: data.points.filter(function (p) {
+        return { name: name, type: "line", symbol: "circle", symbolSize: name === "the run" ? 14 : 8, data: data.points.filter(function (p) {
           return p.series === name;
         }).map(function (p) { return [String(p.width), p.efficiency, p.instructions]; }) };
       })

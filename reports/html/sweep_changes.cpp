@@ -38,11 +38,16 @@ const SweepCase* case_of(const SweepIndex& index, const std::string& variant) {
 
 std::string only_in(const char* text, const SweepIndex& index, const SweepIndex& other) {
   std::string names;
+  std::size_t n = 0;
   for (const SweepCase& sweep_case : index.cases)
-    if (case_of(other, sweep_case.variant) == nullptr)
-      names += fmt::format("{}<span class=\"mono\">{}</span>", names.empty() ? "" : ", ",
-                           escape(sweep_case.variant));
-  return names.empty() ? names : fmt::format("<p>{}: {}</p>\n", text, names);
+    if (case_of(other, sweep_case.variant) == nullptr) {
+      names += fmt::format("<li class=\"mono\">{}</li>\n", escape(sweep_case.variant));
+      ++n;
+    }
+  if (n == 0) return {};
+  return fmt::format(
+      "<details><summary>{} <span class=\"soft\">{}</span></summary>\n<ul>\n{}</ul></details>\n", text, n,
+      names);
 }
 
 }  // namespace

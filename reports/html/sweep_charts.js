@@ -59,11 +59,13 @@
 
   kinds.parallel = function (element, data) {
     const several = data.axes.filter(function (a) { return new Set(a.values).size > 1; });
-    const columns = several.concat(data.columns);
-    const efficiency = data.columns.findIndex(function (c) { return c.name.indexOf("efficiency") >= 0; });
+    // Active lanes are the efficiency once more.
+    const numbers = data.columns.filter(function (c) { return c.name !== "active lanes"; });
+    const columns = several.concat(numbers);
+    const efficiency = numbers.findIndex(function (c) { return c.name.indexOf("efficiency") >= 0; });
     const axes = columns.map(function (c, k) {
-      const axis = { dim: k, name: c.name.split(" ").join("\n"), nameTextStyle: { color: soft, lineHeight: 14, verticalAlign: "bottom" },
-                     axisLabel: { color: soft, formatter: function (v) { return typeof v === "number" ? short(v) : v; } },
+      const axis = { dim: k, name: c.name.split(/[ _]/).join("\n"), nameTextStyle: { color: shades.ink, lineHeight: 14, verticalAlign: "bottom" },
+                     axisLabel: { color: shades.ink, textBorderColor: shades.paper, textBorderWidth: 3, formatter: function (v) { return typeof v === "number" ? short(v) : v; } },
                      axisLine: { lineStyle: { color: rule } } };
       return several.length > k ? Object.assign(axis, { type: "category", data: Array.from(new Set(c.values)) })
                                 : Object.assign(axis, { type: "value", scale: true });
@@ -72,13 +74,14 @@
     const rows = transposed(columns.map(function (c) { return c.name; }), values).slice(1).map(function (row, k) {
       return { name: data.names[k], value: row.map(function (v) { return v === null ? "-" : v; }) };
     });
+    element.style.minWidth = 96 * columns.length + "px";
     const option = {
-      parallelAxis: axes, parallel: { left: 50, right: 80, top: 90, bottom: 30 }, legend: { show: false },
+      parallelAxis: axes, parallel: { left: 50, right: 90, top: 90, bottom: 30 }, legend: { show: false },
       tooltip: { trigger: "item", formatter: function (p) { return escaped(p.name); } },
       series: [{ type: "parallel", smooth: false, lineStyle: { width: 1.5, opacity: 0.6, color: bar }, data: rows }]
     };
     if (efficiency >= 0) {
-      const known = data.columns[efficiency].values.filter(function (v) { return v !== null; });
+      const known = numbers[efficiency].values.filter(function (v) { return v !== null; });
       option.visualMap = { show: false, dimension: several.length + efficiency, min: Math.min.apply(null, known),
                            max: Math.max.apply(null, known), inRange: { color: [hot, bar] } };
     }

@@ -33,12 +33,18 @@ html::Cell value_cell(const SweepColumn& column, const SweepCase& sweep_case, do
   return cell;
 }
 
+std::string explanation_of(const SweepColumn& column) {
+  return column.metric.empty()
+             ? std::string(column.explanation)
+             : fmt::format("{}\n{}", column.explanation, html::explanation(metric(column.metric)));
+}
+
 html::Table table_of(const SweepIndex& index) {
   std::vector<html::Table::Column> columns{{"variant", "", true}};
   std::vector<std::pair<double, double>> ranges;  // one a column
   const std::vector<SweepColumn> shown = sweep_columns(index);
   for (const SweepColumn& column : shown) {
-    columns.push_back({std::string(column.heading), std::string(column.explanation)});
+    columns.push_back({std::string(column.heading), explanation_of(column)});
     std::vector<double> values;
     for (const SweepCase& sweep_case : index.cases)
       if (const auto value = column.value(sweep_case)) values.push_back(*value);
@@ -75,7 +81,7 @@ std::string sweep_page(const SweepIndex& index, const SweepIndex* baseline) {
   body += "<h2>Columns</h2>\n<dl>\n";
   for (const SweepColumn& column : sweep_columns(index))
     body += fmt::format("<dt>{}</dt><dd>{}</dd>\n", html::escape(column.heading),
-                        html::escape(column.explanation));
+                        html::escape(explanation_of(column)));
   body += "</dl>\n";
   body += list_of("Not done", troubles_of(index));
   body += list_of("Kernels and devices", notes_of(index));

@@ -62,7 +62,10 @@ std::string Table::row_html(const std::vector<Cell>& cells) const {
 }
 
 std::string Table::html() const {
-  std::string html = "<div class=\"scroll\"><table class=\"sortable\">\n<thead><tr>";
+  // A table of more than a screen scrolls by itself, so that what follows it is not far.
+  constexpr std::size_t rows_of_a_screen = 40;
+  std::string html = fmt::format("<div class=\"scroll{}\"><table class=\"sortable\">\n<thead><tr>",
+                                 rows_.size() > rows_of_a_screen ? " tall" : "");
   for (const Column& column : columns_)
     html += fmt::format("<th{} title=\"{}\">{}</th>", column.is_text ? " class=\"text\"" : "",
                         escape(column.explanation), escape(column.heading));
