@@ -14,20 +14,6 @@ namespace {
 
 constexpr double units_of_largest_side = 10000;
 
-// The launch of a work-item a particle with the most warp instructions, which applies the law.
-const profiler::LaunchCounters* launch_over_particles(std::span<const profiler::LaunchProfile> launches,
-                                                      std::size_t n_particles) {
-  const profiler::LaunchCounters* heaviest = nullptr;
-  for (const profiler::LaunchProfile& launch : launches) {
-    const profiler::LaunchCounters& counters = launch.counters;
-    const std::uint64_t local = counters.shape.local_size[0];
-    if (counters.shape.global_size[0] != (n_particles + local - 1) / local * local) continue;
-    if (heaviest == nullptr || counters.totals.warp_instructions > heaviest->totals.warp_instructions)
-      heaviest = &counters;
-  }
-  return heaviest;
-}
-
 // Indices of the particles that are drawn, in the order of their places.
 std::vector<std::size_t> drawn_particles(const ProfiledState& left, std::size_t axis, double middle,
                                          std::uint64_t most) {
@@ -100,9 +86,10 @@ std::optional<reports::Bed> bed_of(const Scene& scene, const Variant& variant,
   }
   if (std::ranges::all_of(bed.radius, [&](std::int64_t radius) { return radius == bed.radius[0]; }))
     bed.radius.resize(1);
-  if (works_as_in_memory(variant))
-    if (const auto* launch = launch_over_particles(launches, particles.size()))
-      add_warps(bed, *launch, left, drawn);
+  const auto of_law = std::ranges::find_if(launches, [&](const profiler::LaunchProfile& launch) {
+    return launch.counters.kernel == search_of(variant).law_kernel;
+  });
+  if (works_as_in_memory(variant) && of_law != launches.end()) add_warps(bed, of_law->counters, left, drawn);
   return bed;
 }
 

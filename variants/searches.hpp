@@ -32,7 +32,8 @@ struct Search {
   std::string_view summary;
   std::string_view file;  // in kernels/
   Lists lists;
-  bool needs_long_atomics;  // sums in fixed point, 64 bits
+  bool needs_long_atomics;      // sums in fixed point, 64 bits
+  std::string_view law_kernel;  // the one that applies the law
   WorkItems work_items;
   // Adds those that make the lists that outlive a step; null where there are none.
   void (*plan_lists)(PlanBuilder&);

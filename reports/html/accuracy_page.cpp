@@ -35,7 +35,8 @@ auto member_of(std::optional<Part> Case::*part, double Part::*member) {
 }
 
 std::vector<Criterion> criteria_of(const AccuracyReport& report) {
-  const auto particles = static_cast<double>(std::max<std::uint64_t>(1, report.particles));
+  const auto particles = static_cast<double>(
+      std::max<std::uint64_t>(1, report.cost_particles != 0 ? report.cost_particles : report.particles));
   const auto fixed = [](int decimals) {
     return [decimals](double value) { return fixed_text(value, decimals); };
   };
@@ -45,10 +46,14 @@ std::vector<Criterion> criteria_of(const AccuracyReport& report) {
          return row.relative_cost > 0 ? std::optional(row.relative_cost) : std::nullopt;
        },
        fixed(2)},
-      {"bytes/particle", "device memory", false,
+      {"bytes/particle", "of the memory sectors that a step touches", false,
        [particles](const Case& row) { return static_cast<double>(row.bytes) / particles; }, fixed(0)},
       {"time/step", "median wall time of a step on the OpenCL device", false,
        [](const Case& row) { return row.seconds; }, seconds_text},
+      {"predicted step", "by the cost model, on the machine", false,
+       [](const Case& row) { return row.predicted_seconds; }, seconds_text},
+      {"measured step", "read from documents of measurements", false,
+       [](const Case& row) { return row.measured_seconds; }, seconds_text},
       {"force error, largest", "of one evaluation against the double reference, of the largest force", false,
        member_of(&Case::force, &AccuracyReport::Force::maximum), scientific},
       {"force error, rms", "the same, root mean square over the particles", false,
@@ -180,10 +185,16 @@ std::string accuracy_page(const AccuracyReport& report) {
                   html::escape(report.scene), count_text(report.particles), count_text(report.step));
   body +=
       front_chart(report, criteria) + cases_table(report, criteria) + sentences(report) + ensembles(report);
-  body += html::provenance(report.generator, report.command_line,
-                           {{"format", std::string(accuracy_format)},
-                            {"time step", fmt::format("{:g} s", report.time_step)},
-                            {"seeds", report.seeds > 0 ? count_text(report.seeds) : ""}});
+  body +=
+      html::provenance(report.generator, report.command_line,
+                       {{"format", std::string(accuracy_format)},
+                        {"time step", fmt::format("{:g} s", report.time_step)},
+                        {"cost", report.cost},
+                        {"costs counted of",
+                         report.cost_particles != 0 ? count_text(report.cost_particles) + " particles" : ""},
+                        {"machine", report.machine},
+                        {"measured", report.measured},
+                        {"seeds", report.seeds > 0 ? count_text(report.seeds) : ""}});
   return html::page("Accuracy", body);
 }
 
