@@ -14,6 +14,7 @@
 #include "cli/output.hpp"
 #include "core/error.hpp"
 #include "reports/document_format.hpp"
+#include "reports/html/accuracy_page.hpp"
 #include "reports/html/comparison_page.hpp"
 #include "reports/html/paper_page.hpp"
 #include "reports/html/report_page.hpp"
@@ -21,6 +22,7 @@
 #include "reports/merged_sweeps.hpp"
 #include "reports/report_json.hpp"
 #include "reports/run_report.hpp"
+#include "reports/stability_report.hpp"
 #include "reports/table_files.hpp"
 #include "reports/text_report.hpp"
 #include "reports/text_run.hpp"
@@ -82,9 +84,18 @@ int render(const Options& options) {
     const reports::Comparison comparison = reports::read_comparison(file);
     if (!options.html.empty()) write_output(options.html, reports::comparison_page(comparison));
     if (show) std::cout << reports::text_comparison(comparison);
+  } else if (format == reports::accuracy_format) {
+    const reports::AccuracyReport report = reports::read_accuracy(file);
+    if (!options.html.empty()) write_output(options.html, reports::accuracy_page(report));
+    if (show) std::cout << reports::text_accuracy(report);
+  } else if (format == reports::stability_format) {
+    const reports::StabilityReport report = reports::read_stability(file);
+    if (!options.html.empty()) write_output(options.html, reports::stability_page(report));
+    if (show) std::cout << reports::text_stability(report);
   } else {
-    const std::array known{reports::report_format, reports::run_format, reports::sweep_format,
-                           reports::paper_format, reports::comparison_format};
+    const std::array known{reports::report_format,   reports::run_format,        reports::sweep_format,
+                           reports::paper_format,    reports::comparison_format, reports::accuracy_format,
+                           reports::stability_format};
     throw_unknown_name(file.string(), "format", format, known);
   }
   return 0;
