@@ -18,32 +18,34 @@ std::vector<reports::PaperReport::Row> variant_rows(const Scene& scene, const st
   how.checks = profiler::Checks::off;
   how.footprint = true;
   how.threads = backend.threads;
-  std::vector<reports::PaperReport::Row> rows;
+  std::vector<std::vector<reports::PaperReport::Row>> of_machine(machines.size());
   for (std::size_t k = 0; k < variants.size(); ++k) {
     const std::string name = variants[k].name();
     progress.update("variants", static_cast<double>(k) / static_cast<double>(variants.size()), name);
     reports::Report report =
         reports::make_report(profile_step(scene, variants[k], how, backend), command_line());
     report.scene = scene.name;
-    for (const Machine& machine : machines) {
-      report.machine = machine;
-      const reports::Headline headline = reports::headline_of(reports::kernels_of(report));
+    for (std::size_t m = 0; m < machines.size(); ++m) {
+      report.machine = machines[m];
+      const auto predicted = reports::headline_of(reports::kernels_of(report)).predicted_seconds;
       double least = 0;
       for (const reports::LaunchReport& launch : report.launches)
-        least += least_time(launch.counters.totals, launch.counters.warp_width, machine).seconds();
-      reports::PaperReport::Row& row = rows.emplace_back();
-      row.section = "variants";
-      row.quantity = fmt::format("{} on {}", name, machine.name);
+        least += least_time(launch.counters.totals, launch.counters.warp_width, machines[m]).seconds();
+      reports::PaperReport::Row& row = of_machine[m].emplace_back();
+      row.section = fmt::format("{} on {}", predicted ? "predicted step" : "least step", machines[m].name);
+      row.quantity = name;
       row.unit = "ms";
-      row.simulated = 1e3 * headline.predicted_seconds.value_or(least);
-      if (headline.predicted_seconds)
-        row.remark = fmt::format("predicted; at least {:.3g} ms for its instructions alone", 1e3 * least);
-      else
-        row.remark = "at least, for its instructions alone: the machine file has no cost constants";
-      if (const auto seconds = measured.seconds(variants[k]); seconds && &machine == &machines.back())
+      row.simulated = 1e3 * predicted.value_or(least);
+      if (k == 0)
+        row.remark = predicted ? "of all variants here: by the cost model"
+                               : "of all variants here: for the instructions alone, since the machine file "
+                                 "has no constants of the cost model";
+      if (const auto seconds = measured.seconds(variants[k]); seconds && m + 1 == machines.size())
         row.measured.push_back({1e3 * *seconds, measured.of_what()});
     }
   }
+  std::vector<reports::PaperReport::Row> rows;
+  for (const auto& part : of_machine) rows.insert(rows.end(), part.begin(), part.end());
   return rows;
 }
 

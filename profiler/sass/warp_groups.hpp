@@ -6,10 +6,10 @@
 //   at a branch back, those that jump.
 // * A BSYNC holds a group until the lanes of its barrier have all come, ended, left with BREAK or yielded.
 //   Those that the barrier does not know pass.
-// * YIELD puts a group aside until every other waits or has yielded; then those that stand at one place run
-//   on as one. What waits is looked at when a group comes to a BSYNC, not when one yields. This rule, and that
-//   of branches back, are fitted to the one launch of the 62 whose code has a YIELD (forces in fp64), of whose
-//   counts they leave up to 5 %: another kernel may show them wrong.
+// * YIELD puts a group aside until every other waits or has yielded; then those that stand at one place
+//   run on as one. What waits is looked at when a group comes to a BSYNC, not when one yields. This rule,
+//   and that of branches back, are fitted to the one launch of the 62 whose code has a YIELD (forces in
+//   fp64), of whose counts they leave up to 5 %: another kernel may show them wrong.
 
 #include <cstdint>
 #include <vector>
