@@ -1,15 +1,18 @@
 #!/usr/bin/env python3
 """Turns folders of `warpgrain sweep` into the tables of docs/variants.md.
 
-    scripts/variant_table.py docs/variants.md TITLE=FOLDER...
+    scripts/variant_table.py docs/variants.md TITLE=FOLDER[=READINGS]...
 
-writes, for each folder, a row a variant between the page's lines <!-- begin tables --> and <!-- end tables -->:
+writes, for each folder, a row a variant between the page's lines <!-- begin tables --> and <!-- end tables -->; READINGS is
+what the names of `warpgrain measure` documents of the same scene begin with, whose median step stands beside:
 what the force evaluation between particles costs (its kernels are those whose names begin with force_ or list_,
 walls aside), what the whole step costs, and how exact it is. Without a page the tables go to stdout.
 """
 import collections
 import json
 import pathlib
+import re
+import statistics
 import sys
 
 BEGIN, END = "<!-- begin tables -->", "<!-- end tables -->"
@@ -23,6 +26,7 @@ HEADINGS = (
     "sectors a load",
     "bytes moved a particle",
     "PoCL time a step",
+    "measured",
     "largest error",
     "rms error",
     "lane slots lost most at",
@@ -57,7 +61,8 @@ def losses(launches):
         for branch in launch["branches"]:
             lost[branch["label"] or f'{branch["file"]}:{branch["line"]}'] += branch["lane_slots_lost"]
     everything = sum(lost.values())
-    return ", ".join(f"{label} {100 * ratio(slots, everything):.0f} %" for label, slots in lost.most_common(3))
+    # A branch without a name is its source text, which may hold Markdown's column mark.
+    return ", ".join(f"{label} {100 * ratio(slots, everything):.0f} %" for label, slots in lost.most_common(3)).replace("|", "\\|")
 
 
 def contacts_of(reports):
@@ -77,7 +82,14 @@ def bytes_moved(launches):
     return 32 * sum(l["totals"][key] for l in launches for key in keys)
 
 
-def row(case, report, particles, contacts):
+def measured_step(readings, variant):
+    file = pathlib.Path(f'{readings}{re.sub("[/=]", "-", variant)}.json')
+    if not readings or not file.exists():
+        return "-"
+    return f'{1e6 * statistics.median(json.loads(file.read_text())["step"]["seconds"]):.0f} us'
+
+
+def row(case, report, particles, contacts, readings):
     launches = report["launches"]
     between = [l for l in launches if finds_forces(l["kernel"])]
     sectors = sum(l["totals"]["global_load_sectors"] for l in between)
@@ -94,13 +106,14 @@ def row(case, report, particles, contacts):
         f"{ratio(sectors, requests):.1f}",
         f"{ratio(bytes_moved(launches), particles):,.0f}",
         f"{1e3 * seconds:.2f} ms" if seconds else "-",
+        measured_step(readings, case["variant"]),
         f'{error["maximum"]:.1e}',
         f'{error["root_mean_square"]:.1e}',
         losses(between),
     )
 
 
-def table(title, folder):
+def table(title, folder, readings):
     index = json.loads((folder / "index.json").read_text())
     done = [case for case in index["cases"] if case["status"] == "done"]
     if not done:
@@ -118,16 +131,16 @@ def table(title, folder):
         "|---|" + "---:|" * (len(HEADINGS) - 2) + "---|",
     ]
     for case, report in zip(done, reports):
-        lines.append("| " + " | ".join(row(case, report, index["particles"], contacts)) + " |")
+        lines.append("| " + " | ".join(row(case, report, index["particles"], contacts, readings)) + " |")
     return "\n".join(lines) + "\n"
 
 
 def main():
     pages = [argument for argument in sys.argv[1:] if "=" not in argument]
-    sweeps = [argument.split("=", 1) for argument in sys.argv[1:] if "=" in argument]
+    sweeps = [(argument.split("=") + [""])[:3] for argument in sys.argv[1:] if "=" in argument]
     if len(pages) > 1 or not sweeps:
         sys.exit(__doc__)
-    text = "\n".join(table(title, pathlib.Path(folder)) for title, folder in sweeps)
+    text = "\n".join(table(title, pathlib.Path(folder), readings) for title, folder, readings in sweeps)
     if not pages:
         print(text)
         return

@@ -99,7 +99,7 @@ KERNEL WORK_GROUP_OF(CELL_WORK_GROUP) void force_between_particles(
         uint touching = 0;
         for (uint k = 0; k < n; ++k) {  // branch: next candidate
           const Pair pair = pair_with(particle.place, places[k]);
-          touching |= touches(&pair) && candidates[k] != self ? 1u << k : 0;
+          touching |= touches(&pair) && candidates[k] != self ? 1u << k : 0;  // branch: contact test
         }
         if (!exists) touching = 0;
         while (touching != 0) {           // branch: next touching
