@@ -21,7 +21,7 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"analysis", {"core", "profiler/counters.hpp"}},
     {"reports",
      {"core", "analysis", "profiler/counters.hpp", "profiler/diagnostic.hpp", "profiler/profile.hpp",
-      "profiler/launch.hpp", "profiler/kernel_graph.hpp"}},
+      "profiler/launch.hpp", "profiler/kernel_graph.hpp", "profiler/timeline.hpp"}},
     {"cli", {"core", "kernels", "variants", "profiler", "analysis", "reports"}},
 };
 
