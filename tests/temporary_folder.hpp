@@ -1,6 +1,6 @@
 #pragma once
-// A folder of its own for a test, removed with all that is in it. CTest runs tests at the same time, so that no two may
-// share a name.
+// A folder of its own for a test, removed with all that is in it. CTest runs tests at the same time, so that
+// no two may share a name.
 
 #include <cerrno>
 #include <cstdlib>

@@ -91,7 +91,8 @@ TEST(StateFile, WritesWholeFilesOrNone) {
   std::filesystem::create_directories(folder / "taken.csv");
   EXPECT_THROW(write_state_file(folder / "taken.csv", random_state(3)), InputError);
   std::size_t n_files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) n_files += entry.is_regular_file();
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+    n_files += entry.is_regular_file();
   EXPECT_EQ(n_files, 1u);  // no unfinished ones
 }
 

@@ -6,8 +6,8 @@
 
 #include "core/error.hpp"
 #include "random_bed.hpp"
-#include "variants/backend.hpp"
 #include "tests/temporary_folder.hpp"
+#include "variants/backend.hpp"
 
 namespace warpgrain {
 namespace {

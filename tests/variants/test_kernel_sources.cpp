@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
-#include "variants/kernel_sources.hpp"
 #include "tests/temporary_folder.hpp"
+#include "variants/kernel_sources.hpp"
 
 namespace warpgrain {
 namespace {
@@ -43,10 +43,10 @@ TEST_F(KernelFolder, ShadowsTheEmbeddedFilesAndIncludesEachOnce) {
   write("integrate.cl", "first\n#include \"a.h\"\n  #  include \"a.h\"\nlast");
   write("a.h", "inside\n");
   const std::vector<std::string> files{"integrate.cl"};
-  EXPECT_EQ(KernelSources(folder_.path()).bundle(files), "#line 1 \"" + path("integrate.cl") +
-                                                      "\"\nfirst\n#line 1 \"" + path("a.h") +
-                                                      "\"\ninside\n#line 3 \"" + path("integrate.cl") +
-                                                      "\"\n#line 4 \"" + path("integrate.cl") + "\"\nlast\n");
+  EXPECT_EQ(KernelSources(folder_.path()).bundle(files),
+            "#line 1 \"" + path("integrate.cl") + "\"\nfirst\n#line 1 \"" + path("a.h") +
+                "\"\ninside\n#line 3 \"" + path("integrate.cl") + "\"\n#line 4 \"" + path("integrate.cl") +
+                "\"\nlast\n");
 }
 
 // What is left out takes the #line behind an #include with it.
