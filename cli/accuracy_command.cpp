@@ -295,7 +295,7 @@ void add_accuracy_command(CLI::App& app, Action& chosen) {
   add_option(command, "--steps", options->timed_steps);
   add_option(command, "--trajectory-steps", options->trajectory_steps);
   add_option(command, "--seeds", options->seeds);
-  add_option(command, "--html", options->html);
+  add_output_file(command, "--html", options->html);
   options->device.add_to(command);
   options->output.add_to(command);
   add_flag(command, "--resume", options->resume)->needs("--json");

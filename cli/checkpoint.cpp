@@ -5,7 +5,6 @@
 #include <string>
 #include <unordered_map>
 
-#include "cli/output.hpp"
 #include "core/contact_file.hpp"
 #include "core/error.hpp"
 #include "core/file_io.hpp"
@@ -23,7 +22,6 @@ constexpr const char* contacts_name = "contacts.csv";
 // The document last: with it there is a checkpoint.
 void write_checkpoint(const std::filesystem::path& folder, const reports::RunReport& report,
                       const ParticleState& state) {
-  make_folder(folder);
   write_state_file(folder / state_name, state);
   write_contact_file(folder / contacts_name, state.contact_history);
   write_file_atomically(folder / run_name, reports::run_json(report));

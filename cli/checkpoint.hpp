@@ -9,7 +9,7 @@
 
 namespace warpgrain::cli {
 
-// Throws InputError when a file cannot be written.
+// Into a folder that is there. Throws InputError when a file cannot be written.
 void write_checkpoint(const std::filesystem::path& folder, const reports::RunReport& report,
                       const ParticleState& state);
 

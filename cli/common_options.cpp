@@ -2,7 +2,9 @@
 
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "cli/help_text.hpp"
 #include "core/error.hpp"
@@ -35,12 +37,30 @@ std::string finite_number(const std::string& text) {
 
 namespace {
 
+// Folders that are missing are made when the file is written (output.hpp).
+std::string output_file(const std::string& text) {
+  if (text == "-") return {};
+  std::error_code error;
+  if (text.empty() || std::filesystem::is_directory(text, error))
+    return fmt::format("'{}'; expected a file to write", text);
+  std::filesystem::path folder = std::filesystem::absolute(text).parent_path();
+  while (!std::filesystem::exists(folder, error) && folder != folder.root_path())
+    folder = folder.parent_path();
+  if (std::filesystem::is_directory(folder, error) && access(folder.c_str(), W_OK) == 0) return {};
+  return fmt::format("'{}': nothing can be written to '{}'; expected a writable place", text,
+                     folder.string());
+}
+
 std::string above_zero(const std::string& text) {
   if (whole_number(text).empty() && text.find_first_not_of('0') != std::string::npos) return {};
   return fmt::format("'{}'; expected a whole number above 0", text);
 }
 
 }  // namespace
+
+CLI::Option* add_output_file(CLI::App& command, const std::string& name, std::string& value) {
+  return add_option(command, name, value)->check(output_file, "");
+}
 
 CLI::Option* SceneOptions::add_to(CLI::App& command) {
   CLI::Option* option = add_option(command, "--scene", scene);
@@ -108,7 +128,7 @@ BackendOptions DeviceOptions::backend_options(std::string_view backend) const {
 }
 
 void OutputOptions::add_to(CLI::App& command) {
-  add_option(command, "--json", json);
+  add_output_file(command, "--json", json);
   add_flag(command, "--quiet", quiet);
 }
 

@@ -38,10 +38,13 @@ CLI::Option* add_option(CLI::App& command, const std::string& name, T& value) {
   CLI::Option* option = command.add_option(name, value, option_text(command, name));
   if constexpr (std::is_floating_point_v<Value>)
     option->check(finite_number, "");
-  else if constexpr (std::is_unsigned_v<Value>)
+  else if constexpr (std::is_integral_v<Value>)
     option->check(whole_number, "");
   return option;
 }
+// A file that the command writes its result to, or "-". Refused here and not behind hours of work: a folder,
+// or a place where nothing can be made.
+CLI::Option* add_output_file(CLI::App& command, const std::string& name, std::string& value);
 CLI::Option* add_flag(CLI::App& command, const std::string& name, bool& value);
 
 struct SceneOptions {

@@ -95,7 +95,7 @@ void add_compare_command(CLI::App& app, Action& chosen) {
   add_option(command, "--measured", options->measured);
   add_option(command, "--metric", options->metrics);
   add_option(command, "--fail-above", options->fail_above);
-  add_option(command, "--html", options->html);
+  add_output_file(command, "--html", options->html);
   options->output.add_to(command);
   command.callback([options, &chosen] { chosen = [options] { return compare(*options); }; });
 }

@@ -33,10 +33,10 @@ InterruptWatch::~InterruptWatch() {
   has_come = 0;
 }
 
-int say_interrupted(std::string_view command, std::size_t n_done, const std::string& document) {
+int say_interrupted(std::string_view command, std::size_t n_done, const std::string& kept) {
   std::cerr << fmt::format(
       "warpgrain {}: interrupted after {} of its cases{}\n", command, n_done,
-      document.empty() || document == "-" ? "" : "; the same call with --resume does the others");
+      kept.empty() || kept == "-" ? "" : "; the same call with --resume does the others");
   return interrupted_status;
 }
 

@@ -24,9 +24,9 @@ class InterruptWatch {
   InterruptWatch& operator=(const InterruptWatch&) = delete;
 };
 
-// A line on stderr: what of the command is done, and how to do the rest where there is a document;
-// interrupted_status.
-int say_interrupted(std::string_view command, std::size_t n_done, const std::string& document);
+// A line on stderr: what of the command is done, and how to do the rest where it is kept (`kept`: a file or
+// folder); interrupted_status.
+int say_interrupted(std::string_view command, std::size_t n_done, const std::string& kept);
 
 // Whether one has come since the watch began; never without a watch.
 bool interrupted();

@@ -44,8 +44,10 @@ std::string without_resume(std::string_view call) {
 void write_output(const std::string& target, std::string_view text) {
   if (target == "-")
     std::cout << text;
-  else
+  else {
+    make_folder(std::filesystem::absolute(target).parent_path());
     write_file_atomically(target, text);
+  }
 }
 
 void make_folder(const std::filesystem::path& folder) {

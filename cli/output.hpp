@@ -7,8 +7,8 @@
 
 namespace warpgrain::cli {
 
-// Writes `text` to stdout when `target` is "-", else to that file, whole or not at all. Throws InputError
-// when the file cannot be written.
+// Writes `text` to stdout when `target` is "-", else to that file, whole or not at all, making its folder.
+// Throws InputError when the file cannot be written.
 void write_output(const std::string& target, std::string_view text);
 
 // Makes the folder and those above it. Throws InputError when that cannot be.

@@ -227,7 +227,7 @@ void add_paper_command(CLI::App& app, Action& chosen) {
   add_option(command, "--measured", options->measured);
   add_option(command, "--machine", options->machine);
   add_option(command, "--axis", options->axis);
-  add_option(command, "--html", options->html);
+  add_output_file(command, "--html", options->html);
   options->device.add_to(command);
   options->output.add_to(command);
   command.callback([options, &chosen] { chosen = [options] { return paper(*options); }; });

@@ -3,9 +3,6 @@
 #include <fmt/format.h>
 
 #include "analysis/least_time.hpp"
-#include "cli/output.hpp"
-#include "reports/report.hpp"
-#include "reports/summary.hpp"
 #include "variants/step_profile.hpp"
 
 namespace warpgrain::cli {
@@ -22,14 +19,11 @@ std::vector<reports::PaperReport::Row> variant_rows(const Scene& scene, const st
   for (std::size_t k = 0; k < variants.size(); ++k) {
     const std::string name = variants[k].name();
     progress.update("variants", static_cast<double>(k) / static_cast<double>(variants.size()), name);
-    reports::Report report =
-        reports::make_report(profile_step(scene, variants[k], how, backend), command_line());
-    report.scene = scene.name;
+    const auto launches = profile_step(scene, variants[k], how, backend);
     for (std::size_t m = 0; m < machines.size(); ++m) {
-      report.machine = machines[m];
-      const auto predicted = reports::headline_of(reports::kernels_of(report)).predicted_seconds;
+      const auto predicted = predicted_seconds(launches, scene, machines[m]);
       double least = 0;
-      for (const reports::LaunchReport& launch : report.launches)
+      for (const profiler::LaunchProfile& launch : launches)
         least += least_time(launch.counters.totals, launch.counters.warp_width, machines[m]).seconds();
       reports::PaperReport::Row& row = of_machine[m].emplace_back();
       row.section = fmt::format("{} on {}", predicted ? "predicted step" : "least step", machines[m].name);

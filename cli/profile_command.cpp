@@ -115,7 +115,7 @@ void add_profile_command(CLI::App& app, Action& chosen) {
   options->scene.add_to(command);
   add_option(command, "--at-step", options->at_step);
   add_option(command, "--bed", options->bed);
-  add_option(command, "--html", options->html);
+  add_output_file(command, "--html", options->html);
   add_option(command, "--export", options->export_folder);
   add_flag(command, "--against-full", options->against_full);
   options->simulator.add_to(command);

@@ -104,7 +104,7 @@ void add_record_command(CLI::App& app, Action& chosen) {
   add_option(command, "--largest", options->settings.largest);
   add_option(command, "--memory", options->memory);
   add_option(command, "--save", options->save);
-  add_option(command, "--html", options->html);
+  add_output_file(command, "--html", options->html);
   options->simulator.timeline_warps = {"none"};  // of many launches they would be most of the report
   options->simulator.add_to(command);
   add_option(command, "--threads", options->device.threads);

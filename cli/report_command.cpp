@@ -1,5 +1,6 @@
 // `warpgrain report`: a document that is there already, for people.
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <fmt/format.h>
@@ -38,11 +39,11 @@ struct Options {
   bool quiet = false;
 };
 
-void refuse(const std::string& option, const std::string& format, const char* expected) {
+[[noreturn]] void refuse(const std::string& option, const std::string& format, const char* expected) {
   throw_input_error(option, fmt::format("a document of {}", format), expected);
 }
 
-int render_sweep(const Options& options, const std::filesystem::path& file) {
+void render_sweep(const Options& options, const std::filesystem::path& file) {
   const reports::SweepIndex index = reports::read_sweep(file);
   std::optional<reports::SweepIndex> baseline;
   if (!options.baseline.empty()) {
@@ -57,47 +58,55 @@ int render_sweep(const Options& options, const std::filesystem::path& file) {
     std::cout << reports::markdown_sweep(index);
   else if (!options.quiet && options.html != "-" && options.csv != "-")
     std::cout << reports::text_sweep(index);
-  return 0;
 }
+
+std::string plain_text_report(const reports::Report& report) { return reports::text_report(report); }
+std::string no_page(const reports::RunReport&) {
+  refuse("--html", std::string(reports::run_format), "any but a run");
+}
+
+// A document of one thing, read, and shown as a page and as text.
+template <auto read, auto page, auto text>
+void render_document(const Options& options, const std::filesystem::path& file) {
+  const auto document = read(file);
+  if (!options.html.empty()) write_output(options.html, page(document));
+  if (!options.quiet && options.html != "-") std::cout << text(document);
+}
+
+struct Renderer {
+  std::string_view format;
+  void (*render)(const Options&, const std::filesystem::path&);
+};
+constexpr std::array renderers{
+    Renderer{reports::report_format,
+             render_document<reports::read_report, reports::report_page, plain_text_report>},
+    Renderer{reports::run_format, render_document<reports::read_run, no_page, reports::text_run>},
+    Renderer{reports::sweep_format, render_sweep},
+    Renderer{reports::paper_format,
+             render_document<reports::read_paper, reports::paper_page, reports::text_paper>},
+    Renderer{reports::comparison_format,
+             render_document<reports::read_comparison, reports::comparison_page, reports::text_comparison>},
+    Renderer{reports::accuracy_format,
+             render_document<reports::read_accuracy, reports::accuracy_page, reports::text_accuracy>},
+    Renderer{reports::stability_format,
+             render_document<reports::read_stability, reports::stability_page, reports::text_stability>}};
 
 int render(const Options& options) {
   std::filesystem::path file = options.document;
   if (std::filesystem::is_directory(file)) file /= reports::sweep_index_name;
   const std::string format = reports::format_of(file);
-  if (format == reports::sweep_format) return render_sweep(options, file);
-  if (options.markdown) refuse("--markdown", format, "a sweep");
-  if (!options.csv.empty()) refuse("--csv", format, "a sweep");
-  if (!options.baseline.empty()) refuse("--baseline", format, "a sweep");
-  const bool show = !options.quiet && options.html != "-";
-  if (format == reports::report_format) {
-    const reports::Report report = reports::read_report(file);
-    if (!options.html.empty()) write_output(options.html, reports::report_page(report));
-    if (show) std::cout << reports::text_report(report);
-  } else if (format == reports::run_format) {
-    if (!options.html.empty()) refuse("--html", format, "any but a run");
-    if (show) std::cout << reports::text_run(reports::read_run(file));
-  } else if (format == reports::paper_format) {
-    const reports::PaperReport report = reports::read_paper(file);
-    if (!options.html.empty()) write_output(options.html, reports::paper_page(report));
-    if (show) std::cout << reports::text_paper(report);
-  } else if (format == reports::comparison_format) {
-    const reports::Comparison comparison = reports::read_comparison(file);
-    if (!options.html.empty()) write_output(options.html, reports::comparison_page(comparison));
-    if (show) std::cout << reports::text_comparison(comparison);
-  } else if (format == reports::accuracy_format) {
-    const reports::AccuracyReport report = reports::read_accuracy(file);
-    if (!options.html.empty()) write_output(options.html, reports::accuracy_page(report));
-    if (show) std::cout << reports::text_accuracy(report);
-  } else if (format == reports::stability_format) {
-    const reports::StabilityReport report = reports::read_stability(file);
-    if (!options.html.empty()) write_output(options.html, reports::stability_page(report));
-    if (show) std::cout << reports::text_stability(report);
-  } else {
-    const std::array known{reports::report_format,   reports::run_format,        reports::sweep_format,
-                           reports::paper_format,    reports::comparison_format, reports::accuracy_format,
-                           reports::stability_format};
-    throw_unknown_name(file.string(), "format", format, known);
+  const auto known = std::ranges::find(renderers, format, &Renderer::format);
+  if (known == renderers.end()) {
+    std::array<std::string_view, renderers.size()> names;
+    std::ranges::transform(renderers, names.begin(), &Renderer::format);
+    throw_unknown_name(file.string(), "format", format, names);
   }
+  if (format != reports::sweep_format) {
+    if (options.markdown) refuse("--markdown", format, "a sweep");
+    if (!options.csv.empty()) refuse("--csv", format, "a sweep");
+    if (!options.baseline.empty()) refuse("--baseline", format, "a sweep");
+  }
+  known->render(options, file);
   return 0;
 }
 
@@ -107,9 +116,9 @@ void add_report_command(CLI::App& app, Action& chosen) {
   auto options = std::make_shared<Options>();
   CLI::App& command = *app.add_subcommand("report", help_text().summary("report"));
   add_option(command, "document", options->document)->required();
-  add_option(command, "--html", options->html);
+  add_output_file(command, "--html", options->html);
   add_option(command, "--baseline", options->baseline);
-  add_option(command, "--csv", options->csv);
+  add_output_file(command, "--csv", options->csv);
   add_flag(command, "--markdown", options->markdown);
   add_flag(command, "--quiet", options->quiet);
   command.callback([options, &chosen] { chosen = [options] { return render(*options); }; });

@@ -107,6 +107,7 @@ int run(const RunOptions& options) {
   if (const std::string warning = time_step_warning(scene.time_step, limits); !warning.empty())
     warn_of({warning});
   if (!options.vtk_folder.empty()) make_folder(options.vtk_folder);
+  if (!options.checkpoint.empty()) make_folder(options.checkpoint);
 
   reports::RunReport report;
   report.generator = reports::this_generator();
@@ -162,9 +163,9 @@ int run(const RunOptions& options) {
     run_full_model(scene, variant, options, *simulation, report);
 
   if (!options.checkpoint.empty()) write_checkpoint(options.checkpoint, report, simulation->state());
-  if (!options.state_file.empty()) write_state_file(options.state_file, simulation->state());
+  if (!options.state_file.empty()) write_output(options.state_file, format_state_csv(simulation->state()));
   if (!options.output.json.empty()) write_output(options.output.json, reports::run_json(report));
-  if (options.output.summary())
+  if (options.output.summary() && options.state_file != "-")
     std::cout
         << reports::text_run(report)
         << fmt::format(
@@ -189,7 +190,7 @@ void add_run_command(CLI::App& app, Action& chosen) {
   add_flag(command, "--until-rest", options->until_rest)->excludes(steps);
   add_option(command, "--sample-every", options->sample_every);
   CLI::Option* against_full = add_flag(command, "--against-full", options->against_full);
-  add_option(command, "--state", options->state_file);
+  add_output_file(command, "--state", options->state_file);
   add_option(command, "--vtk", options->vtk_folder);
   CLI::Option* checkpoint = add_option(command, "--checkpoint", options->checkpoint);
   add_flag(command, "--resume", options->resume)->needs(checkpoint)->excludes(against_full);

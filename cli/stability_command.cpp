@@ -124,7 +124,7 @@ void add_stability_command(CLI::App& app, Action& chosen) {
   add_option(command, "--rest-steps", options->rest_steps);
   add_option(command, "--samples", options->samples);
   add_option(command, "--halvings", options->halvings);
-  add_option(command, "--html", options->html);
+  add_output_file(command, "--html", options->html);
   add_flag(command, "--markdown", options->markdown);
   options->device.add_to(command);
   options->output.add_to(command);

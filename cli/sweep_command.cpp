@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fmt/format.h>
 #include <future>
 #include <iostream>
 #include <map>
@@ -222,13 +221,8 @@ class Sweep {
                 << "\nreports: " << (setting_.folder / reports::sweep_index_name).string() << ", "
                 << (setting_.folder / "index.html").string() << ", and a report a case beside them\n";
     for (const std::string& trouble : reports::troubles_of(index)) std::cerr << trouble << '\n';
-    if (index.cases.size() < n_cases_before_ + pending_.size()) {
-      std::cerr << fmt::format(
-          "warpgrain sweep: interrupted after {} of {} cases; the same call with --resume does the "
-          "others\n",
-          index.cases.size(), n_cases_before_ + pending_.size());
-      return interrupted_status;
-    }
+    if (index.cases.size() < n_cases_before_ + pending_.size())
+      return say_interrupted("sweep", index.cases.size(), options_.out);
     for (const reports::SweepCase& row : index.cases)
       if (row.status == reports::CaseStatus::failed) return 2;
     return 0;

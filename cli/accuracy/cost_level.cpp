@@ -12,17 +12,13 @@
 #include "variants/step_profile.hpp"
 
 namespace warpgrain::cli {
-namespace {
-
-std::optional<double> predicted_of(std::span<const profiler::LaunchProfile> launches,
-                                   const AccuracySetting& setting) {
+std::optional<double> predicted_seconds(std::span<const profiler::LaunchProfile> launches, const Scene& scene,
+                                        const Machine& machine) {
   reports::Report report = reports::make_report(launches, {});
-  report.scene = setting.scene.name;
-  report.machine = setting.machine;
+  report.scene = scene.name;
+  report.machine = machine;
   return reports::headline_of(reports::kernels_of(report)).predicted_seconds;
 }
-
-}  // namespace
 
 StepCost cost_of(const AccuracySetting& setting, const Variant& variant) {
   profiler::ProfileOptions options;
@@ -39,7 +35,7 @@ StepCost cost_of(const AccuracySetting& setting, const Variant& variant) {
     cost.warp_instructions += totals.warp_instructions;
     cost.bytes += 32 * (totals.global_load.sectors + totals.global_store.sectors + totals.atomic.sectors);
   }
-  if (setting.machine) cost.predicted_seconds = predicted_of(launches, setting);
+  if (setting.machine) cost.predicted_seconds = predicted_seconds(launches, setting.costed, *setting.machine);
   if (setting.timed_steps > 0 && backend("opencl").lacks().empty())
     cost.seconds = median_seconds_per_step(
         *backend("opencl").create(setting.costed, variant, setting.backend), setting.timed_steps);

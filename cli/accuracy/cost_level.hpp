@@ -8,6 +8,7 @@
 #include <string>
 
 #include "cli/accuracy/setting.hpp"
+#include "profiler/profile.hpp"
 
 namespace warpgrain::cli {
 
@@ -18,6 +19,10 @@ struct StepCost {
   std::optional<double> predicted_seconds;  // of one step on the setting's machine, by the cost model
 };
 StepCost cost_of(const AccuracySetting& setting, const Variant& variant);
+
+// Of the launches of a step; none where the machine has no cost constants, or footprints were not counted.
+std::optional<double> predicted_seconds(std::span<const profiler::LaunchProfile> launches, const Scene& scene,
+                                        const Machine& machine);
 
 // Steps that a device was measured at, a document a variant.
 class MeasuredSteps {

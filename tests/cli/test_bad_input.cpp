@@ -134,13 +134,36 @@ TEST_F(BadInput, NumbersThatAreNone) {
         {"profile", "--scene", "head_on", "--at-step", "-3"},
         {"compare", "a.json", "b.json", "--fail-above", "nan"},
         {"measure", "k.sim", "--tolerance", "inf"},
-        {"paper", "--samples", "-1"}}) {
+        {"paper", "--samples", "-1"},
+        {"stability", "--samples", "nan"}}) {
     EXPECT_EQ(call(wrong), 2);
     EXPECT_EQ(error_lines(), 1u) << err_;
     EXPECT_THAT(err_, testing::AnyOf(HasSubstr("expected a whole number from 0 on"),
                                      HasSubstr("expected a finite number")));
     EXPECT_THAT(err_, HasSubstr("'" + wrong.back() + "'"));
   }
+}
+
+// Before the work is done, which would take days.
+TEST_F(BadInput, PlacesThatNothingCanBeWrittenTo) {
+  const std::string file = write("file", "");
+  for (const std::vector<std::string>& wrong :
+       {std::vector<std::string>{"run", "--json", file + "/r.json"},
+        {"run", "--state", folder_.path().string()},
+        {"run", "--checkpoint", file},
+        {"profile", "--html", "/proc/no/such/place.html"},
+        {"sweep", "--out", path("out"), "--json", file + "/i.json"}}) {
+    std::vector<std::string> words = wrong;
+    words.insert(words.begin() + 1, {"--scene", "settled_bed", "--particles", "20"});
+    if (wrong[0] == "run") words.insert(words.end(), {"--steps", "100000000000"});
+    EXPECT_EQ(call(words), 2);
+    EXPECT_EQ(error_lines(), 1u) << err_;
+    EXPECT_THAT(
+        err_, testing::AnyOf(HasSubstr("expected a writable place"), HasSubstr("expected a file to write")));
+  }
+  EXPECT_EQ(call({"run", "--scene", "head_on", "--steps", "5", "--json", path("made/for/it/r.json")}), 0)
+      << err_;
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "made/for/it/r.json"));
 }
 
 TEST_F(BadInput, KernelFolderThatIsNotThere) {
