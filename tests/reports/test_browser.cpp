@@ -33,8 +33,11 @@ class Browser : public testing::Test {
   // The document after `script` has run in it; its title says of errors before.
   std::string dom_after(std::string page, const std::string& script) const {
     const TemporaryFolder folder;
-    page.insert(page.rfind("</body>"),
-                "<script>document.body.dataset.found = (function () {" + script + "})();</script>");
+    page.insert(
+        page.rfind("</body>"),
+        "<script>if (typeof warpgrain !== 'undefined' && warpgrain.draw_charts) warpgrain.draw_charts();\n"
+        "document.body.dataset.found = (function () {" +
+            script + "})();</script>");
     page.insert(
         page.find("<title>"),
         "<script>window.onerror = function (message) { document.title = 'error: ' + message; };</script>");
