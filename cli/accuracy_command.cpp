@@ -133,6 +133,7 @@ class AccuracyStudy {
     report.command_line = command_line();
     report.scene = setting_.scene.name;
     report.particles = setting_.scene.particles.size();
+    report.seed = setting_.scene.seed;
     report.step = options_.at_step;
     report.time_step = setting_.scene.time_step;
     report.seeds = options_.has("ensemble") ? options_.seeds : 0;
@@ -272,7 +273,9 @@ int accuracy(const AccuracyOptions& options) {
   if (!options.output.json.empty()) write_output(options.output.json, reports::accuracy_json(report));
   if (!options.html.empty()) write_output(options.html, reports::accuracy_page(report));
   if (options.output.summary() && options.html != "-") std::cout << reports::text_accuracy(report);
-  return study.is_complete() ? 0 : say_interrupted("accuracy", report.cases.size(), options.output.json);
+  if (study.is_complete()) return 0;
+  return say_interrupted("accuracy", fmt::format("after {} of its cases", report.cases.size()),
+                         options.output.json);
 }
 
 }  // namespace

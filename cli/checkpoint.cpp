@@ -19,11 +19,15 @@ constexpr const char* contacts_name = "contacts.csv";
 
 }  // namespace
 
+void write_particles(const std::filesystem::path& folder, const ParticleState& state) {
+  write_state_file(folder / state_name, state);
+  write_contact_file(folder / contacts_name, state.contact_history);
+}
+
 // The document last: with it there is a checkpoint.
 void write_checkpoint(const std::filesystem::path& folder, const reports::RunReport& report,
                       const ParticleState& state) {
-  write_state_file(folder / state_name, state);
-  write_contact_file(folder / contacts_name, state.contact_history);
+  write_particles(folder, state);
   write_file_atomically(folder / run_name, reports::run_json(report));
 }
 
@@ -40,7 +44,11 @@ reports::RunReport read_checkpoint(const std::filesystem::path& folder, const re
   expect("back end", earlier.backend, begun.backend);
   expect("time step", earlier.time_step, begun.time_step);
   expect("particles", earlier.particles, begun.particles);
+  read_particles(folder, scene);
+  return earlier;
+}
 
+void read_particles(const std::filesystem::path& folder, Scene& scene) {
   const std::string where = (folder / state_name).string();
   const ParticleState state = read_state_file(folder / state_name);
   if (state.size() != scene.particles.size())
@@ -66,7 +74,6 @@ reports::RunReport read_checkpoint(const std::filesystem::path& folder, const re
         throw_input_error((folder / contacts_name).string(),
                           fmt::format("a contact of {} and {}", record.particle_id, record.partner_id),
                           "particles and walls of the scene");
-  return earlier;
 }
 
 }  // namespace warpgrain::cli

@@ -3,9 +3,12 @@
 // ends the program where it stands. In all other commands it ends the program, as it does where nobody
 // watches.
 
-#include <cstddef>
+#include <csignal>
+#include <initializer_list>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace warpgrain::cli {
 
@@ -15,18 +18,21 @@ inline constexpr int interrupted_status = 130;
 // Thrown where there is nothing yet to keep; run_app answers with interrupted_status.
 struct Interrupted {};
 
-// Watches SIGINT and SIGTERM while it lives. One at a time.
+// Watches these signals while it lives. One at a time.
 class InterruptWatch {
  public:
-  InterruptWatch();
+  explicit InterruptWatch(std::initializer_list<int> signals = {SIGINT, SIGTERM});
   ~InterruptWatch();
   InterruptWatch(const InterruptWatch&) = delete;
   InterruptWatch& operator=(const InterruptWatch&) = delete;
+
+ private:
+  std::vector<std::pair<int, struct sigaction>> before_;
 };
 
-// A line on stderr: what of the command is done, and how to do the rest where it is kept (`kept`: a file or
-// folder); interrupted_status.
-int say_interrupted(std::string_view command, std::size_t n_done, const std::string& kept);
+// A line on stderr: how far the command came ("after 3 of its cases"), and how to do the rest where that is
+// kept (`kept`: a file or folder); interrupted_status.
+int say_interrupted(std::string_view command, std::string_view how_far, const std::string& kept);
 
 // Whether one has come since the watch began; never without a watch.
 bool interrupted();

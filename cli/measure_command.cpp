@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "cli/app.hpp"
 #include "cli/common_options.hpp"
 #include "cli/help_text.hpp"
+#include "cli/interrupt.hpp"
 #include "cli/measure_counters.hpp"
 #include "cli/measure_launch.hpp"
 #include "cli/measure_scene.hpp"
@@ -25,7 +27,7 @@ struct Options {
   DeviceOptions device;
   SceneMeasurement step;
   double tolerance = 1e-5;
-  bool counters = false;
+  bool counters = false, resume = false;
   std::string benchmark_json;
   OutputOptions output;
 };
@@ -62,7 +64,7 @@ std::vector<std::string> marked_call(const Options& options, const Scene* scene,
   return words;
 }
 
-reports::MeasuredReport measured_scene(Options& options) {
+reports::MeasuredReport measured_scene(Options& options, const reports::MeasuredReport* earlier) {
   const Scene scene = options.scene.load();
   const Variant variant = options.variant.resolve(scene, options.device.kernels);
   if (options.counters && options.step.backend != "cuda")
@@ -73,15 +75,15 @@ reports::MeasuredReport measured_scene(Options& options) {
   options.step.repeats = options.launch.repeats;
   options.step.mark = options.launch.mark;
   Progress progress(options.output.quiet);
-  reports::MeasuredReport report = measure_scene(scene, variant, options.step, progress);
-  if (options.counters) count_with_ncu(marked_call(options, &scene, &variant), report);
+  reports::MeasuredReport report = measure_scene(scene, variant, options.step, earlier, progress);
+  if (options.counters && !interrupted()) count_with_ncu(marked_call(options, &scene, &variant), report);
   return report;
 }
 
-reports::MeasuredReport measured_launch(Options& options) {
+reports::MeasuredReport measured_launch(Options& options, const reports::MeasuredReport* earlier) {
   options.launch.device = options.device.device;
-  reports::MeasuredReport report = measure_launch(options.launch);
-  if (options.counters) count_with_ncu(marked_call(options, nullptr, nullptr), report);
+  reports::MeasuredReport report = measure_launch(options.launch, earlier);
+  if (options.counters && !interrupted()) count_with_ncu(marked_call(options, nullptr, nullptr), report);
   return report;
 }
 
@@ -93,11 +95,20 @@ int measure(Options options) {
     throw_input_error("warpgrain measure",
                       options.launch.launch.empty() ? "nothing to measure" : "both a launch file and --scene",
                       "either a launch file (.sim) or --scene FILE|NAME");
-  const reports::MeasuredReport report =
-      options.launch.launch.empty() ? measured_scene(options) : measured_launch(options);
+  std::optional<reports::MeasuredReport> earlier;
+  if (options.resume) {
+    earlier = reports::read_measured(options.output.json);
+    require_same_call(options.output.json, earlier->command_line);
+  }
+  const InterruptWatch watch;
+  const auto measured = options.launch.launch.empty() ? measured_scene : measured_launch;
+  const reports::MeasuredReport report = measured(options, earlier ? &*earlier : nullptr);
   if (!options.output.json.empty()) write_output(options.output.json, reports::measured_json(report));
   if (!options.benchmark_json.empty()) write_output(options.benchmark_json, reports::benchmark_json(report));
   if (options.output.summary()) std::cout << reports::text_measured(report);
+  if (interrupted())
+    return say_interrupted("measure", fmt::format("before the last of {} readings", options.launch.repeats),
+                           options.output.json);
   return agrees(report, options.tolerance) ? 0 : 1;
 }
 
@@ -127,6 +138,7 @@ void add_measure_command(CLI::App& app, Action& chosen) {
   options->device.add_to(command);
   options->device.add_keeping_to(command);
   options->output.add_to(command);
+  add_flag(command, "--resume", options->resume)->needs("--json");
   command.callback([options, &chosen] { chosen = [options] { return measure(*options); }; });
 }
 

@@ -6,6 +6,7 @@
 #include <iostream>
 #include <sstream>
 
+#include "cli/interrupt.hpp"
 #include "cli/output.hpp"
 #include "core/error.hpp"
 #include "core/file_io.hpp"
@@ -60,7 +61,8 @@ reports::MeasuredReport::Agreement compare(const BoundArgument& device,
 
 }  // namespace
 
-reports::MeasuredReport measure_launch(const LaunchMeasurement& what) {
+reports::MeasuredReport measure_launch(const LaunchMeasurement& what,
+                                       const reports::MeasuredReport* earlier) {
   const CudaAssembler assembler = cuda_assembler(what.assembler, "--assembler");
   const profiler::LaunchFile file = profiler::read_launch_file(what.launch);
   const CudaDevice device(what.device);
@@ -78,10 +80,13 @@ reports::MeasuredReport measure_launch(const LaunchMeasurement& what) {
   const auto& [x, y, z] = loaded.shape.local_size;
   kernel.local_size = {x, y, z};
   kernel.calls = what.in_a_row;
+  if (earlier != nullptr && !earlier->kernels.empty()) kernel.seconds = earlier->kernels[0].seconds;
   for (unsigned k = 0; k < what.warm_up; ++k) launch.run();
-  for (unsigned k = 0; k < what.repeats; ++k) kernel.seconds.push_back(launch.run(what.in_a_row));
+  while (kernel.seconds.size() < what.repeats && !interrupted())
+    kernel.seconds.push_back(launch.run(what.in_a_row));
+  if (kernel.seconds.empty()) throw Interrupted();
   if (what.mark) launch.run_marked();
-  if (what.in_a_row != 1) launch.run();  // what is read below is of one launch
+  if (what.in_a_row != 1 || earlier != nullptr) launch.run();  // what is read below is of one launch
   kernel.code = {program.assembler, reports::text_hash(loaded.program.ptx),
                  static_cast<std::uint64_t>(launch.function().registers()),
                  static_cast<std::uint64_t>(launch.shared_bytes()),
@@ -89,8 +94,8 @@ reports::MeasuredReport measure_launch(const LaunchMeasurement& what) {
 
   for (std::size_t k = 0; k < loaded.arguments.size(); ++k)
     launch.read(k, loaded.arguments[k].buffer.bytes());
-  dump_arguments(file, loaded.arguments, std::cout);
-  if (what.check) {
+  if (!interrupted()) dump_arguments(file, loaded.arguments, std::cout);
+  if (what.check && !interrupted()) {
     std::ostringstream dumps;  // the simulator's, which nobody asked for
     profiler::ProfileOptions options;
     options.addresses = false;

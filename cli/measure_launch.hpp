@@ -18,7 +18,9 @@ struct LaunchMeasurement {
   bool mark = false;      // run once more, for a profiler
 };
 
-// Prints the dumped arguments to stdout. Throws InputError for a launch that cannot be run there.
-reports::MeasuredReport measure_launch(const LaunchMeasurement& what);
+// Prints the dumped arguments to stdout. Readings that `earlier` has are kept; null: none. When Ctrl-C has
+// come in a command that watches for it, there are fewer readings, and nothing is printed or checked; without
+// any Interrupted is thrown. Throws InputError for a launch that cannot be run there.
+reports::MeasuredReport measure_launch(const LaunchMeasurement& what, const reports::MeasuredReport* earlier);
 
 }  // namespace warpgrain::cli

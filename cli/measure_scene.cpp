@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <chrono>
 
+#include "cli/interrupt.hpp"
 #include "cli/modelled_parts.hpp"
 #include "cli/output.hpp"
+#include "cli/run_loop.hpp"
 #include "variants/cuda_driver.hpp"
 
 namespace warpgrain::cli {
@@ -12,47 +14,56 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-reports::MeasuredReport::Step time_steps(Simulation& simulation, const SceneMeasurement& what,
-                                         Progress& progress) {
-  reports::MeasuredReport::Step step{what.steps, {}};
-  simulation.step(what.at_step + what.warm_up);
-  for (unsigned k = 0; k < what.repeats; ++k) {
+// False where Ctrl-C has come before the last step.
+bool warm_up(Simulation& simulation, const SceneMeasurement& what, Progress& progress) {
+  const std::uint64_t steps = what.at_step + what.warm_up;
+  return !run_to_goal(
+              simulation, {steps, {}, std::max<std::uint64_t>(1, steps)}, [](std::uint64_t) {}, progress)
+              .interrupted;
+}
+
+void time_steps(Simulation& simulation, const SceneMeasurement& what, Progress& progress,
+                reports::MeasuredReport::Step& step) {
+  if (!warm_up(simulation, what, progress)) return;
+  while (step.seconds.size() < what.repeats && !interrupted()) {
     const Clock::time_point begin = Clock::now();
     simulation.step(what.steps);
     const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
     step.seconds.push_back(seconds / static_cast<double>(what.steps));
-    progress.update("steps", static_cast<double>(k + 1) / what.repeats);
+    progress.update("steps", static_cast<double>(step.seconds.size()) / what.repeats);
   }
-  return step;
 }
 
-std::vector<reports::MeasuredReport::Kernel> time_kernels(Simulation& simulation,
-                                                          const SceneMeasurement& what, Progress& progress) {
-  std::vector<reports::MeasuredReport::Kernel> kernels;
-  simulation.step(what.at_step + what.warm_up);
+// The kernels are those of the first reading.
+void time_kernels(Simulation& simulation, const SceneMeasurement& what, Progress& progress,
+                  std::vector<reports::MeasuredReport::Kernel>& kernels) {
+  if (!warm_up(simulation, what, progress)) return;
   std::vector<KernelTiming> before = simulation.timings();
-  for (unsigned k = 0; k < what.repeats; ++k) {
+  for (std::size_t k = kernels.empty() ? 0 : kernels[0].seconds.size(); k < what.repeats && !interrupted();
+       ++k) {
     simulation.step(1);
     const std::vector<KernelTiming> after = simulation.timings();
     for (std::size_t i = 0; i < after.size(); ++i) {
       const KernelTiming first = i < before.size() ? before[i] : KernelTiming{after[i].kernel, 0, 0};
-      if (k == 0) {
+      if (k == 0 && after[i].calls != first.calls) {
         kernels.emplace_back().kernel = after[i].kernel;
-        kernels[i].calls = after[i].calls - first.calls;
+        kernels.back().calls = after[i].calls - first.calls;
       }
-      kernels[i].seconds.push_back(after[i].seconds - first.seconds);
+      const auto known = std::ranges::find_if(kernels, [&](const auto& kernel) {
+        return kernel.kernel == after[i].kernel && kernel.seconds.size() == k;
+      });
+      if (known != kernels.end()) known->seconds.push_back(after[i].seconds - first.seconds);
     }
     before = after;
     progress.update("kernels", static_cast<double>(k + 1) / what.repeats);
   }
-  std::erase_if(kernels, [](const auto& kernel) { return kernel.calls == 0; });
-  return kernels;
 }
 
 }  // namespace
 
 reports::MeasuredReport measure_scene(const Scene& scene, const Variant& variant,
-                                      const SceneMeasurement& what, Progress& progress) {
+                                      const SceneMeasurement& what, const reports::MeasuredReport* earlier,
+                                      Progress& progress) {
   const Backend& chosen = backend(what.backend);
   reports::MeasuredReport report;
   report.generator = reports::this_generator();
@@ -62,17 +73,22 @@ reports::MeasuredReport measure_scene(const Scene& scene, const Variant& variant
   report.variant = variant.name();
   report.model = modelled_parts(scene, variant, what.backend);
   report.particles = scene.particles.size();
+  report.seed = scene.seed;
+  report.step =
+      earlier != nullptr && earlier->step ? *earlier->step : reports::MeasuredReport::Step{what.steps, {}};
+  if (earlier != nullptr) report.kernels = earlier->kernels;
   {
     BackendOptions untimed = what.options;
     untimed.kernel_times = BackendOptions::KernelTimes::none;
     const auto simulation = chosen.create(scene, variant, untimed);
     report.device = {simulation->device(), "", simulation->driver()};
-    report.step = time_steps(*simulation, what, progress);
+    if (report.step->seconds.size() < what.repeats) time_steps(*simulation, what, progress, *report.step);
   }
+  if (report.step->seconds.empty()) throw Interrupted();
   BackendOptions timed = what.options;
   timed.kernel_times = BackendOptions::KernelTimes::undisturbed;
   const auto simulation = chosen.create(scene, variant, timed);
-  report.kernels = time_kernels(*simulation, what, progress);
+  time_kernels(*simulation, what, progress, report.kernels);
   if (what.mark) {
     const CudaProfilerRange range;
     simulation->step(1);

@@ -20,8 +20,11 @@ struct SceneMeasurement {
 };
 
 // Whole steps are timed by the host's clock, in a simulation that times no kernels; kernels by the device's
-// in another. Throws what the simulation does.
+// in another. Readings that `earlier` has are kept, and those that are left taken from `at_step` on; null:
+// all are. When Ctrl-C has come in a command that watches for it, there are fewer readings; without any
+// Interrupted is thrown. Throws what the simulation does.
 reports::MeasuredReport measure_scene(const Scene& scene, const Variant& variant,
-                                      const SceneMeasurement& what, Progress& progress);
+                                      const SceneMeasurement& what, const reports::MeasuredReport* earlier,
+                                      Progress& progress);
 
 }  // namespace warpgrain::cli

@@ -1,7 +1,6 @@
 // `warpgrain paper`: the paper's tables and figures beside what is computed, simulated and measured.
 
 #include <algorithm>
-#include <filesystem>
 #include <fmt/format.h>
 #include <iostream>
 #include <memory>
@@ -9,23 +8,23 @@
 #include <vector>
 
 #include "cli/app.hpp"
+#include "cli/checkpoint.hpp"
 #include "cli/common_options.hpp"
 #include "cli/help_text.hpp"
+#include "cli/interrupt.hpp"
 #include "cli/output.hpp"
+#include "cli/paper_timings.hpp"
 #include "cli/paper_variants.hpp"
 #include "cli/progress.hpp"
 #include "cli/run_loop.hpp"
-#include "cli/step_timing.hpp"
+#include "cli/state_samples.hpp"
 #include "cli/sweep_plan.hpp"
-#include "core/candidate_census.hpp"
-#include "core/contact_history.hpp"
 #include "core/error.hpp"
 #include "profiler/observers/path_census.hpp"
 #include "reports/document_format.hpp"
 #include "reports/html/paper_page.hpp"
 #include "reports/measured_report.hpp"
 #include "reports/paper_rows.hpp"
-#include "reports/run_report.hpp"
 #include "variants/step_profile.hpp"
 
 namespace warpgrain::cli {
@@ -42,62 +41,19 @@ struct Options {
   std::uint64_t steps = 20000;
   std::uint64_t samples = 4;
   std::uint64_t timed_steps = 20;
-  bool until_rest = false;
-  std::string machine = "hopper_h100", html;
+  bool until_rest = false, resume = false;
+  std::string machine = "hopper_h100", html, checkpoint;
   std::vector<std::string> measured;
   std::vector<std::string> axis;
 };
 
-// The paper's kernels compute all of the model, whatever the scene.
-Variant variant_of(bool practical) {
-  Variant variant;
-  variant.set("model", "full");
-  variant.set("contact", practical ? "branchy" : "simple");
-  return variant;
-}
-
-// The step of one model at this state; `observer` may be null.
-std::vector<profiler::LaunchCounters> profiled(const Scene& scene, bool practical, const Options& options,
-                                               profiler::WarpObserver* observer) {
-  profiler::ProfileOptions how;
-  how.addresses = false;
-  how.checks = profiler::Checks::off;
-  how.threads = options.device.threads;
-  how.observer = observer;
-  std::vector<profiler::LaunchCounters> launches;
-  for (profiler::LaunchProfile& launch :
-       profile_step(scene, variant_of(practical), how, options.device.backend_options()))
-    launches.push_back(std::move(launch.counters));
-  return launches;
-}
-
-reports::PaperReport::Sample sample_of(const Scene& scene, std::uint64_t step,
-                                       const std::vector<profiler::LaunchCounters>& launches) {
-  reports::PaperReport::Sample sample;
-  sample.step = step;
-  sample.time = static_cast<double>(step) * scene.time_step;
-  const CandidateCensus census = candidate_census(scene);
-  sample.mean_candidates = census.mean_candidates;
-  sample.most_candidates = census.most_candidates;
-  sample.mean_contacts = census.mean_contacts;
-  sample.most_contacts = census.most_contacts;
-  struct Sum {
-    std::string kernel;
-    profiler::Totals totals;
-  };
-  std::vector<Sum> sums;
-  for (const profiler::LaunchCounters& launch : launches) {
-    const auto known = std::ranges::find(sums, launch.kernel, &Sum::kernel);
-    if (known == sums.end())
-      sums.push_back({launch.kernel, launch.totals});
-    else
-      known->totals.add(launch.totals);
+Scene scene_of(const Options& options) {
+  SceneOptions chosen = options.scene;
+  if (chosen.scene.empty()) {
+    chosen.scene = "slit";
+    if (!chosen.particles) chosen.particles = default_particles;
   }
-  std::ranges::stable_sort(sums, std::greater(), [](const Sum& sum) { return sum.totals.warp_instructions; });
-  for (const Sum& sum : sums)
-    sample.kernels.push_back(
-        {sum.kernel, sum.totals.warp_instructions, sum.totals.simt_efficiency(launches.front().warp_width)});
-  return sample;
+  return chosen.load();
 }
 
 std::vector<reports::PaperReport::Paths> paths_of(profiler::PathCensus& census, const std::string& kernel) {
@@ -113,105 +69,144 @@ std::vector<reports::PaperReport::Paths> paths_of(profiler::PathCensus& census, 
   return paths;
 }
 
-// On this machine, at this state: both models on OpenCL, the practical one in C++ on one core, the simple one
-// with CUDA where there is that back end and a device.
-std::vector<reports::PaperTiming> timings_here(const Scene& scene, const Options& options,
-                                               Progress& progress) {
-  struct Wanted {
-    bool practical;
-    std::string_view backend;
-  };
-  std::vector<reports::PaperTiming> timings;
-  for (const Wanted& wanted : {Wanted{false, "cuda"}, {false, "opencl"}, {true, "opencl"}, {true, "host"}}) {
-    const auto all = backends();
-    const auto found = std::ranges::find(all, wanted.backend, &Backend::name);
-    if (found == all.end() || !found->lacks().empty()) continue;
-    progress.update(fmt::format("timing {}", wanted.backend), 0);
-    BackendOptions how = options.device.backend_options();
-    if (wanted.backend == "host") how.threads = 1;
-    const auto simulation = found->create(scene, variant_of(wanted.practical), how);
-    const double seconds = median_seconds_per_step(*simulation, options.timed_steps);
-    timings.push_back(
-        {wanted.practical, std::string(wanted.backend), static_cast<double>(scene.particles.size()) / seconds,
-         fmt::format("here: {}{}", simulation->device(), wanted.backend == "host" ? ", 1 thread" : "")});
+// Goes through what the paper has, part by part. Each is done when it returns true; else Ctrl-C has come.
+class PaperStudy {
+ public:
+  explicit PaperStudy(const Options& options) : options_(options), progress_(options.output.quiet) {
+    facts_.paper_machine = load_machine(paper_machine);
+    facts_.machine = load_machine(options.machine);
+    variants_ = swept_variants(options.axis);
+    for (const std::string& file : options.measured)
+      if (reports::format_of(file) == reports::measured_format)
+        measured_steps_.push_back(file);
+      else
+        facts_.timings.push_back(timing_from(file));
+    scene_ = scene_of(options);
+    how_.addresses = false;
+    how_.checks = profiler::Checks::off;
+    how_.threads = options.device.threads;
+    report_.generator = reports::this_generator();
+    report_.command_line = command_line();
+    report_.scene = scene_.name;
+    report_.particles = facts_.particles = scene_.particles.size();
+    report_.seed = scene_.seed;
+    report_.fall_is_over = false;
   }
-  return timings;
-}
 
-reports::PaperTiming timing_from(const std::string& file) {
-  const reports::RunReport run = reports::read_run(file);
-  if (run.steps == 0) throw_input_error(file, "a run of no steps", "a run that took time");
-  const Variant variant = Variant::parse(run.variant);
-  return {variant.value(AxisId::contact) != "simple", run.backend, run.particle_steps_per_second(),
-          fmt::format("{}: {}, {} of {} particles, {} steps", std::filesystem::path(file).filename().string(),
-                      run.device, run.scene, run.particles, run.steps)};
-}
+  // What an earlier call has kept.
+  void resume() {
+    reports::PaperReport earlier = reports::read_paper(options_.output.json);
+    require_same_call(options_.output.json, earlier.command_line);
+    read_particles(options_.checkpoint, scene_);
+    report_.fall_steps = earlier.fall_steps;
+    report_.fall_is_over = earlier.fall_is_over;
+    report_.samples = std::move(earlier.samples);
+    report_.paths = std::move(earlier.paths);
+    earlier_rows_ = std::move(earlier.rows);
+  }
 
-// Samples from falling on; the last state is where everything else is counted and timed.
-Scene sample_the_fall(const Options& options, reports::PaperReport& report, Progress& progress) {
-  SceneOptions chosen = options.scene;
-  if (chosen.scene.empty()) {
-    chosen.scene = "slit";
-    if (!chosen.particles) chosen.particles = default_particles;
+  // Samples from falling on; the last state is where everything else is counted and timed.
+  bool fall() {
+    if (!report_.fall_is_over) {
+      RunGoal goal{options_.steps, {}, std::max<std::uint64_t>(1, options_.steps / options_.samples)};
+      if (options_.until_rest) goal = {{}, rest_of(scene_), 0};
+      goal.begin = report_.fall_steps;
+      const RunOutcome outcome = advance(scene_, paper_variant(true), options_.device.backend_options(), goal,
+                                         progress_, [&](std::uint64_t step) {
+                                           if (!interrupted()) sample(step);
+                                         });
+      report_.fall_steps = outcome.steps;
+      report_.fall_is_over = !outcome.interrupted;
+    }
+    if (report_.fall_is_over && !interrupted()) sample(report_.fall_steps);
+    return report_.fall_is_over && !interrupted();
   }
-  Scene scene = chosen.load();
-  const std::unique_ptr<Simulation> simulation =
-      backend("opencl").create(scene, variant_of(true), options.device.backend_options());
-  RunGoal goal{options.steps, {}, std::max<std::uint64_t>(1, options.steps / options.samples)};
-  if (options.until_rest) {
-    goal = {{}, rest_of(scene), 0};
+
+  // Both models at the last state: whole or not at all.
+  bool models() {
+    const auto is_of_variants = [&](const reports::PaperReport::Row& row) {
+      return std::ranges::any_of(variants_,
+                                 [&](const Variant& variant) { return variant.name() == row.quantity; });
+    };
+    std::ranges::remove_copy_if(earlier_rows_, std::back_inserter(report_.rows), is_of_variants);
+    if (!report_.rows.empty()) return true;
+    progress_.update("simulating", 0);
+    profiler::PathCensus census;
+    facts_.practical = {32, step_of(paper_variant(true), &census)};
+    if (interrupted()) return false;
+    facts_.simple = {32, step_of(paper_variant(false), nullptr)};
+    if (interrupted()) return false;
+    const auto here =
+        timings_here(scene_, options_.device.backend_options(), options_.timed_steps, progress_);
+    if (interrupted()) return false;
+    report_.paths = paths_of(census, facts_.practical.forces().kernel);
+    facts_.timings.insert(facts_.timings.begin(), here.begin(), here.end());
+    reports::add_paper_rows(report_, facts_);
+    return true;
   }
-  run_to_goal(
-      *simulation, goal,
-      [&] {
-        scene.particles = simulation->state();
-        make_antisymmetric(scene.particles.contact_history);
-        report.samples.push_back(
-            sample_of(scene, simulation->steps_done(), profiled(scene, true, options, nullptr)));
-      },
-      progress);
-  return scene;
-}
+
+  bool variants() {
+    std::vector<Machine> machines{facts_.paper_machine};
+    if (facts_.machine->name != facts_.paper_machine.name) machines.push_back(*facts_.machine);
+    const VariantRows predicted = variant_rows(scene_, variants_, machines, options_.device.backend_options(),
+                                               MeasuredSteps(measured_steps_), earlier_rows_, progress_);
+    report_.rows.insert(report_.rows.end(), predicted.rows.begin(), predicted.rows.end());
+    n_variants_ = predicted.variants;
+    return n_variants_ == variants_.size();
+  }
+
+  void write() {
+    progress_.clear();
+    if (!options_.checkpoint.empty()) write_particles(options_.checkpoint, scene_.particles);
+    if (!options_.output.json.empty()) write_output(options_.output.json, reports::paper_json(report_));
+    if (!options_.html.empty()) write_output(options_.html, reports::paper_page(report_));
+    if (options_.output.summary() && options_.html != "-") std::cout << reports::text_paper(report_);
+  }
+
+  std::string how_far() const {
+    return fmt::format("after {} steps, {} samples and {} of {} variants", report_.fall_steps,
+                       report_.samples.size(), n_variants_, variants_.size());
+  }
+
+ private:
+  void sample(std::uint64_t step) {
+    if (!report_.samples.empty() && report_.samples.back().step == step) return;
+    report_.samples.push_back(
+        sample_state(scene_, step, paper_variant(true), how_, options_.device.backend_options()));
+  }
+
+  std::vector<profiler::LaunchCounters> step_of(const Variant& variant,
+                                                profiler::WarpObserver* observer) const {
+    profiler::ProfileOptions how = how_;
+    how.observer = observer;
+    std::vector<profiler::LaunchCounters> launches;
+    for (profiler::LaunchProfile& launch :
+         profile_step(scene_, variant, how, options_.device.backend_options()))
+      launches.push_back(std::move(launch.counters));
+    return launches;
+  }
+
+  const Options& options_;
+  Progress progress_;
+  reports::PaperFacts facts_;
+  std::vector<Variant> variants_;
+  std::vector<std::string> measured_steps_;  // documents
+  Scene scene_;                              // particles as far as they have fallen
+  profiler::ProfileOptions how_;
+  reports::PaperReport report_;
+  std::vector<reports::PaperReport::Row> earlier_rows_;
+  std::size_t n_variants_ = 0;  // done
+};
 
 int paper(const Options& options) {
   if (options.samples == 0) throw_input_error("--samples", "0", "a number above 0");
-  reports::PaperFacts facts;
-  facts.paper_machine = load_machine(paper_machine);
-  facts.machine = load_machine(options.machine);
-  const std::vector<Variant> variants = swept_variants(options.axis);
-  std::vector<std::string> measured_steps;
-  for (const std::string& file : options.measured)
-    if (reports::format_of(file) == reports::measured_format)
-      measured_steps.push_back(file);
-    else
-      facts.timings.push_back(timing_from(file));
-
-  Progress progress(options.output.quiet);
-  reports::PaperReport report;
-  report.generator = reports::this_generator();
-  report.command_line = command_line();
-  const Scene scene = sample_the_fall(options, report, progress);
-  report.scene = scene.name;
-  report.particles = facts.particles = scene.particles.size();
-
-  progress.update("simulating", 0);
-  profiler::PathCensus census;
-  facts.practical = {32, profiled(scene, true, options, &census)};
-  facts.simple = {32, profiled(scene, false, options, nullptr)};
-  report.paths = paths_of(census, facts.practical.forces().kernel);
-  const auto here = timings_here(scene, options, progress);
-  facts.timings.insert(facts.timings.begin(), here.begin(), here.end());
-  reports::add_paper_rows(report, facts);
-  std::vector<Machine> machines{facts.paper_machine};
-  if (facts.machine->name != facts.paper_machine.name) machines.push_back(*facts.machine);
-  const auto rows = variant_rows(scene, variants, machines, options.device.backend_options(),
-                                 MeasuredSteps(measured_steps), progress);
-  report.rows.insert(report.rows.end(), rows.begin(), rows.end());
-  progress.clear();
-  if (!options.output.json.empty()) write_output(options.output.json, reports::paper_json(report));
-  if (!options.html.empty()) write_output(options.html, reports::paper_page(report));
-  if (options.output.summary() && options.html != "-") std::cout << reports::text_paper(report);
-  return 0;
+  if (!options.checkpoint.empty()) make_folder(options.checkpoint);
+  PaperStudy study(options);
+  const InterruptWatch watch;
+  if (options.resume) study.resume();
+  const bool is_complete = study.fall() && study.models() && study.variants();
+  study.write();
+  return is_complete ? 0 : say_interrupted("paper", study.how_far(), options.checkpoint);
 }
 
 }  // namespace
@@ -228,8 +223,11 @@ void add_paper_command(CLI::App& app, Action& chosen) {
   add_option(command, "--machine", options->machine);
   add_option(command, "--axis", options->axis);
   add_output_file(command, "--html", options->html);
+  CLI::Option* checkpoint = add_option(command, "--checkpoint", options->checkpoint);
   options->device.add_to(command);
   options->output.add_to(command);
+  checkpoint->needs("--json");
+  add_flag(command, "--resume", options->resume)->needs("--json")->needs(checkpoint);
   command.callback([options, &chosen] { chosen = [options] { return paper(*options); }; });
 }
 

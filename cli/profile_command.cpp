@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "cli/app.hpp"
 #include "cli/bed.hpp"
@@ -14,6 +15,7 @@
 #include "cli/output.hpp"
 #include "cli/profile_options.hpp"
 #include "cli/run_loop.hpp"
+#include "cli/state_samples.hpp"
 #include "core/error.hpp"
 #include "profiler/launch_export.hpp"
 #include "reports/diagnostic_summary.hpp"
@@ -34,7 +36,8 @@ struct Options {
   DeviceOptions device;
   SimulatorOptions simulator;
   OutputOptions output;
-  std::uint64_t at_step = 0, bed = default_bed_particles;
+  std::uint64_t at_step = 0, sample_every = 0, bed = default_bed_particles;
+  bool until_rest = false;
   std::string html;
   std::string export_folder;
   bool against_full = false;
@@ -58,11 +61,34 @@ reports::Report profile_launch_file(const Options& options, const profiler::Prof
   return report_of(std::span(&result.profile, 1), options, how);
 }
 
+// Where the profiled step begins, and the states on the way there that were asked for.
+struct ReachedState {
+  Scene scene;
+  std::uint64_t step = 0;
+  std::vector<reports::StateSample> samples;
+};
+
+ReachedState state_to_profile(const Scene& scene, const Variant& variant, const Options& options,
+                              const profiler::ProfileOptions& how, Progress& progress) {
+  const BackendOptions backend = options.device.backend_options();
+  if (!options.until_rest && options.sample_every == 0)
+    return {advanced(scene, variant, backend, options.at_step, progress), options.at_step, {}};
+  RunGoal goal{options.at_step, {}, options.sample_every};
+  if (options.until_rest) goal = {{}, rest_of(scene), options.sample_every};
+  ReachedState reached{scene, 0, {}};
+  reached.step = advance(reached.scene, variant, backend, goal, progress, [&](std::uint64_t step) {
+                   if (options.sample_every != 0)
+                     reached.samples.push_back(sample_state(reached.scene, step, variant, how, backend));
+                 }).steps;
+  return reached;
+}
+
 reports::Report profile_scene(const Options& options, const profiler::ProfileOptions& how,
                               Progress& progress) {
   const Scene scene = options.scene.load();
   const Variant variant = options.variant.resolve(scene, options.device.kernels);
-  const Scene at_step = advanced(scene, variant, options.device.backend_options(), options.at_step, progress);
+  const ReachedState reached = state_to_profile(scene, variant, options, how, progress);
+  const Scene& at_step = reached.scene;
   ProfiledState left;
   const auto launches =
       profile_step(at_step, variant, how, options.device.backend_options(), options.export_folder, &left);
@@ -76,7 +102,9 @@ reports::Report profile_scene(const Options& options, const profiler::ProfileOpt
         at_step, variant, launches,
         profile_step(at_step, with_full_model(variant), how, options.device.backend_options()));
   report.particles = scene.particles.size();
-  report.step = options.at_step;
+  report.seed = scene.seed;
+  report.step = reached.step;
+  report.samples = reached.samples;
   return report;
 }
 
@@ -90,6 +118,8 @@ int profile(const Options& options) {
   if (options.against_full && options.scene.scene.empty())
     throw_input_error("--against-full", "a launch file",
                       "a scene: the model is that of the built-in kernels");
+  if (options.sample_every != 0 && options.at_step == 0 && !options.until_rest)
+    throw_input_error("--sample-every", "no steps to sample on the way", "--at-step or --until-rest");
   if (!options.export_folder.empty()) make_folder(options.export_folder);
   const auto machine = options.simulator.load_machine();  // before the run: a wrong name costs nothing
   reports::Report report =
@@ -113,7 +143,9 @@ void add_profile_command(CLI::App& app, Action& chosen) {
   add_option(command, "launch", options->launch);
   add_option(command, "--build-options", options->build_options);
   options->scene.add_to(command);
-  add_option(command, "--at-step", options->at_step);
+  CLI::Option* at_step = add_option(command, "--at-step", options->at_step);
+  add_flag(command, "--until-rest", options->until_rest)->excludes(at_step);
+  add_option(command, "--sample-every", options->sample_every);
   add_option(command, "--bed", options->bed);
   add_output_file(command, "--html", options->html);
   add_option(command, "--export", options->export_folder);

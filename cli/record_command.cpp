@@ -12,6 +12,7 @@
 #include "cli/app.hpp"
 #include "cli/common_options.hpp"
 #include "cli/help_text.hpp"
+#include "cli/interrupt.hpp"
 #include "cli/output.hpp"
 #include "cli/profile_options.hpp"
 #include "cli/record_settings.hpp"
@@ -80,16 +81,18 @@ int record(RecordOptions options) {
   else
     make_folder(options.save);
   if (!temporary) options.settings.folder = std::filesystem::absolute(options.save);
+  const InterruptWatch watch({SIGINT});  // which the program alone takes while it runs
   const int status = run_recorded(options.program, layer, options.settings);
   if (!std::filesystem::exists(options.settings.folder / record_index)) {
     std::cerr << "warpgrain record: no call of OpenCL was seen: the program makes none, or its loader takes "
                  "no layers\n";
     return status;
   }
+  remove_unfinished(options.settings.folder);
   const RecordedProfiles profiles = profile_recorded(options.settings.folder, how, progress);
   progress.clear();
   write(report_of(profiles, machine, options), profiles, options);
-  return status;
+  return profiles.interrupted ? interrupted_status : status;
 }
 
 }  // namespace

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <ostream>
+#include <set>
 #include <utility>
 
+#include "cli/interrupt.hpp"
 #include "cli/record_settings.hpp"
 #include "core/error.hpp"
 #include "profiler/compiled_launches.hpp"
@@ -40,6 +42,21 @@ class Remarks {
 
 }  // namespace
 
+// Launch files that the index lacks, and bytes of buffers under the names that they have until they are
+// whole.
+void remove_unfinished(const std::filesystem::path& folder) {
+  std::set<std::string> whole;
+  for (const RecordedLaunch& launch : read_index(folder)) whole.insert(launch.file);
+  std::vector<std::filesystem::path> unfinished;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::filesystem::path& path = entry.path();
+    const bool is_launch = path.extension() == ".sim" && !whole.contains(path.filename().string());
+    const bool is_buffer = path.filename().string().starts_with("buffer-") && path.has_extension();
+    if (is_launch || is_buffer) unfinished.push_back(path);
+  }
+  for (const std::filesystem::path& path : unfinished) std::filesystem::remove(path);
+}
+
 RecordedProfiles profile_recorded(const std::filesystem::path& folder, profiler::ProfileOptions options,
                                   Progress& progress) {
   const std::vector<RecordedLaunch> recorded = read_index(folder);
@@ -52,6 +69,11 @@ RecordedProfiles profile_recorded(const std::filesystem::path& folder, profiler:
     const RecordedLaunch& launch = recorded[k];
     if (launch.file.empty()) {
       remarks.add(launch.kernel, fmt::format("not profiled: {}", launch.remark));
+      continue;
+    }
+    if (interrupted()) {
+      profiles.interrupted = true;
+      remarks.add(launch.kernel, "not profiled: interrupted");
       continue;
     }
     options.progress = [&](double fraction) {

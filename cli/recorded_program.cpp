@@ -42,17 +42,21 @@ std::vector<char*> pointers_to(std::vector<std::string>& strings) {
 // Ignores what the terminal sends to all of its programs, for as long as it lives.
 class InterruptsIgnored {
  public:
-  InterruptsIgnored() : interrupt_(std::signal(SIGINT, SIG_IGN)), quit_(std::signal(SIGQUIT, SIG_IGN)) {}
+  InterruptsIgnored() {
+    struct sigaction ignore = {};
+    ignore.sa_handler = SIG_IGN;
+    sigaction(SIGINT, &ignore, &interrupt_);
+    sigaction(SIGQUIT, &ignore, &quit_);
+  }
   ~InterruptsIgnored() {
-    std::signal(SIGINT, interrupt_);
-    std::signal(SIGQUIT, quit_);
+    sigaction(SIGINT, &interrupt_, nullptr);
+    sigaction(SIGQUIT, &quit_, nullptr);
   }
   InterruptsIgnored(const InterruptsIgnored&) = delete;
   InterruptsIgnored& operator=(const InterruptsIgnored&) = delete;
 
  private:
-  void (*interrupt_)(int);
-  void (*quit_)(int);
+  struct sigaction interrupt_ = {}, quit_ = {};
 };
 
 }  // namespace

@@ -51,14 +51,6 @@ RunGoal requested_goal(const RunOptions& options, const Scene& scene) {
   return goal;
 }
 
-// What is left of the goal after `steps`, sampled where the whole would be.
-RunGoal remaining(RunGoal goal, std::uint64_t steps) {
-  if (!goal.steps) return goal;
-  if (goal.sample_every == 0) goal.sample_every = std::max<std::uint64_t>(1, *goal.steps / 100);
-  goal.steps = *goal.steps - std::min(*goal.steps, steps);
-  return goal;
-}
-
 void add_kernels(std::vector<reports::RunReport::Kernel>& kernels, const std::vector<KernelTiming>& timings) {
   for (const KernelTiming& timing : timings) {
     const auto found = std::find_if(kernels.begin(), kernels.end(),
@@ -117,6 +109,7 @@ int run(const RunOptions& options) {
   report.backend = chosen_backend.name;
   report.model = modelled_parts(scene, variant, chosen_backend.name);
   report.particles = scene.particles.size();
+  report.seed = scene.seed;
   report.time_step = scene.time_step;
   if (options.resume) {
     const reports::RunReport earlier = read_checkpoint(options.checkpoint, report, scene);
@@ -125,14 +118,14 @@ int run(const RunOptions& options) {
     report.kernels = earlier.kernels;
     report.energy = earlier.energy;
   }
-  const std::uint64_t steps_before = report.steps;
+  RunGoal goal = requested_goal(options, scene);
+  goal.begin = report.steps;
   const auto simulation =
       chosen_backend.create(scene, variant, options.device.backend_options(chosen_backend.name));
   report.device = simulation->device();
 
   RunMonitor monitor(scene);
-  const auto sample = [&] {
-    const std::uint64_t step = steps_before + simulation->steps_done();
+  const auto sample = [&](std::uint64_t step) {
     const ParticleState state = simulation->state();
     warn_of(monitor.look(step, state));
     if (!report.energy.empty() && report.energy.back().step == step) return;  // the checkpoint's last
@@ -146,11 +139,10 @@ int run(const RunOptions& options) {
   };
   Progress progress(options.output.quiet);
   const InterruptWatch watch;
-  const RunOutcome outcome =
-      run_to_goal(*simulation, remaining(requested_goal(options, scene), steps_before), sample, progress);
+  const RunOutcome outcome = run_to_goal(*simulation, goal, sample, progress);
   progress.clear();
 
-  report.steps = steps_before + simulation->steps_done();
+  report.steps = outcome.steps;
   report.wall_seconds += outcome.wall_seconds;
   report.ended_by = outcome.interrupted                ? reports::RunEndReason::interrupted
                     : outcome.at_rest                  ? reports::RunEndReason::at_rest
@@ -173,10 +165,7 @@ int run(const RunOptions& options) {
                scene.time_step, advice ? ", " + advice->reason : std::string(), limits.rayleigh_time,
                limits.hertz_contact_time, limits.impact_speed);
   if (!outcome.interrupted) return 0;
-  std::cerr << fmt::format(
-      "warpgrain run: interrupted at step {}{}\n", report.steps,
-      options.checkpoint.empty() ? "" : "; the same call with --resume goes on from there");
-  return interrupted_status;
+  return say_interrupted("run", fmt::format("at step {}", report.steps), options.checkpoint);
 }
 
 }  // namespace

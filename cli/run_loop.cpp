@@ -38,8 +38,8 @@ RunGoal goal_of(const Scene& scene) {
   return goal;
 }
 
-RunOutcome run_to_goal(Simulation& simulation, const RunGoal& goal, const std::function<void()>& sample,
-                       Progress& progress) {
+RunOutcome run_to_goal(Simulation& simulation, const RunGoal& goal,
+                       const std::function<void(std::uint64_t step)>& sample, Progress& progress) {
   using Clock = std::chrono::steady_clock;
   const std::uint64_t last = goal.steps.value_or(never);
   const std::uint64_t window = goal.at_rest ? goal.at_rest->window : 0;
@@ -54,8 +54,8 @@ RunOutcome run_to_goal(Simulation& simulation, const RunGoal& goal, const std::f
   RunOutcome outcome;
   std::optional<RestCriterion> rest;
   if (goal.at_rest) rest.emplace(*goal.at_rest, simulation.steps_done(), simulation.state().position);
-  sample();
-  std::uint64_t step = 0, sampled_at = 0;
+  std::uint64_t step = goal.begin, sampled_at = goal.begin;
+  if (step % sample_every == 0) sample(step);
   while (step < last && !outcome.at_rest && !interrupted()) {
     const std::uint64_t until =
         std::min({last, step + chunk, next_multiple(step, sample_every), next_multiple(step, window)});
@@ -69,7 +69,7 @@ RunOutcome run_to_goal(Simulation& simulation, const RunGoal& goal, const std::f
     if (rest && step % window == 0)
       outcome.at_rest = rest->update(simulation.steps_done(), simulation.state().position);
     if (step % sample_every == 0) {
-      sample();
+      sample(step);
       sampled_at = step;
     }
     const double fraction = goal.steps ? static_cast<double>(step) / static_cast<double>(last) : 0;
@@ -78,8 +78,9 @@ RunOutcome run_to_goal(Simulation& simulation, const RunGoal& goal, const std::f
                                        rate * 1e-6, rest->displacement())
                          : fmt::format("{:.2f} M particle-steps/s", rate * 1e-6));
   }
+  outcome.steps = step;
   outcome.interrupted = step < last && !outcome.at_rest;
-  if (sampled_at != step) sample();
+  if (sampled_at != step) sample(step);
   return outcome;
 }
 
@@ -87,23 +88,30 @@ void warn_of(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) std::cerr << "warning: " << warning << '\n';
 }
 
+RunOutcome advance(Scene& scene, const Variant& variant, const BackendOptions& options, const RunGoal& goal,
+                   Progress& progress, const std::function<void(std::uint64_t step)>& visit) {
+  const auto simulation = backend("opencl").create(scene, variant, options);
+  Scene of_the_law = scene;
+  of_the_law.model.contact = contact_law(variant).model;
+  RunMonitor monitor(of_the_law);
+  return run_to_goal(
+      *simulation, goal,
+      [&](std::uint64_t step) {
+        scene.particles = simulation->state();
+        warn_of(monitor.look(step, scene.particles));
+        make_antisymmetric(scene.particles.contact_history);
+        visit(step);
+      },
+      progress);
+}
+
 Scene advanced(const Scene& scene, const Variant& variant, const BackendOptions& options, std::uint64_t steps,
                Progress& progress) {
   Scene result = scene;
   if (steps == 0) return result;
-  const auto simulation = backend("opencl").create(scene, variant, options);
-  result.model.contact = contact_law(variant).model;
-  RunMonitor monitor(result);
-  const RunOutcome outcome = run_to_goal(
-      *simulation, {steps, {}, steps},
-      [&] {
-        result.particles = simulation->state();
-        warn_of(monitor.look(simulation->steps_done(), result.particles));
-      },
-      progress);
+  const RunOutcome outcome =
+      advance(result, variant, options, {steps, {}, steps}, progress, [](std::uint64_t) {});
   if (outcome.interrupted) throw Interrupted();
-  result.model.contact = scene.model.contact;
-  make_antisymmetric(result.particles.contact_history);
   return result;
 }
 

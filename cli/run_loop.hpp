@@ -18,6 +18,8 @@ struct RunGoal {
   // Ends earlier when no particle has moved farther than this over the window.
   std::optional<RunEnd::AtRest> at_rest;
   std::uint64_t sample_every = 0;  // steps between two samples; 0 takes a hundredth of the run, or the window
+  // Steps that an earlier call has done, of those above: samples are taken where the whole run has them.
+  std::uint64_t begin = 0;
 };
 
 // The goal of the scene's time.end.
@@ -27,21 +29,26 @@ RunGoal goal_of(const Scene& scene);
 RunEnd::AtRest rest_of(const Scene& scene);
 
 struct RunOutcome {
+  std::uint64_t steps = 0;  // done in the end, those of an earlier call among them
   double wall_seconds = 0;  // of the steps alone
   bool at_rest = false;
   bool interrupted = false;  // by Ctrl-C, in a command that watches for it
 };
 
-// Calls `sample` before the first step, every `sample_every` steps and after the last step, which an
-// interrupt makes that of the present chunk.
-RunOutcome run_to_goal(Simulation& simulation, const RunGoal& goal, const std::function<void()>& sample,
-                       Progress& progress);
+// Calls `sample` with the number of steps done: before the first step, every `sample_every` steps and after
+// the last step, which an interrupt makes that of the present chunk.
+RunOutcome run_to_goal(Simulation& simulation, const RunGoal& goal,
+                       const std::function<void(std::uint64_t step)>& sample, Progress& progress);
 
 // A line each on stderr: what a monitor (core/run_monitor.hpp) or a check has found.
 void warn_of(const std::vector<std::string>& warnings);
 
-// The scene after `steps` steps of `variant` on the OpenCL device: what later runs and profiles start from,
-// so that a monitor looks at it. Throws Interrupted when Ctrl-C has come, in a command that watches for it.
+// Runs the particles of the scene to the goal, with `variant` on the OpenCL device: what later runs and
+// profiles start from, so that a monitor looks at it. `visit` sees the scene at every sample.
+RunOutcome advance(Scene& scene, const Variant& variant, const BackendOptions& options, const RunGoal& goal,
+                   Progress& progress, const std::function<void(std::uint64_t step)>& visit);
+// The scene after `steps` steps, without samples. Throws Interrupted when Ctrl-C has come, in a command that
+// watches for it.
 Scene advanced(const Scene& scene, const Variant& variant, const BackendOptions& options, std::uint64_t steps,
                Progress& progress);
 

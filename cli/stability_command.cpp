@@ -108,7 +108,8 @@ int stability(const StabilityOptions& options) {
   if (options.output.summary() && options.html != "-")
     std::cout << (options.markdown ? reports::markdown_stability(report) : reports::text_stability(report));
   if (report.cells.size() < n_cells)
-    return say_interrupted("stability", report.cells.size(), options.output.json);
+    return say_interrupted("stability", fmt::format("after {} of its cases", report.cells.size()),
+                           options.output.json);
   return 0;
 }
 

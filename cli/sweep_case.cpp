@@ -7,6 +7,7 @@
 #include "cli/bed.hpp"
 #include "cli/modelled_parts.hpp"
 #include "cli/output.hpp"
+#include "cli/state_samples.hpp"
 #include "cli/step_timing.hpp"
 #include "cli/sweep_plan.hpp"
 #include "core/file_io.hpp"
@@ -66,7 +67,16 @@ ProfiledCase profile_case(const SweepSetting& setting, const Variant& variant) {
   report.bed = bed_of(setting.scene, variant, launches, left, setting.bed);
   report.particles = setting.scene.particles.size();
   report.step = setting.at_step;
-  ProfiledCase result{file_stem(variant) + ".report.json", reports::headline_of(reports::kernels_of(report))};
+  report.seed = setting.scene.seed;
+  ProfiledCase result{
+      file_stem(variant) + ".report.json", reports::headline_of(reports::kernels_of(report)), {}};
+  for (const SweepSetting::Passed& passed : setting.passed) {
+    Scene scene = setting.scene;
+    scene.particles = passed.particles;
+    report.samples.push_back(sample_state(scene, passed.step, variant, setting.profile, setting.backend));
+    const reports::StateSample& sample = report.samples.back();
+    result.samples.push_back({sample.step, sample.time, sample.simt_efficiency()});
+  }
   reports::keep_ptx(report, launches, setting.folder / result.report_file);
   write_file_atomically(setting.folder / result.report_file, reports::report_json(report));
   const auto page = std::filesystem::path(result.report_file).replace_extension(".html");

@@ -20,6 +20,12 @@ namespace warpgrain::cli {
 // What all cases share.
 struct SweepSetting {
   Scene scene;  // particles at the common state
+  // States on the way there, each sampled in every case.
+  struct Passed {
+    std::uint64_t step = 0;
+    ParticleState particles;
+  };
+  std::vector<Passed> passed;
   std::uint64_t at_step = 0;
   std::uint64_t timed_steps = 0;
   std::uint64_t bed = 0;  // particles that reports draw
@@ -46,10 +52,11 @@ std::vector<reports::BackendReading> time_and_check(const SweepSetting& setting,
                                                     ReferenceForces& reference);
 
 // Profiles one time step and writes its report, as JSON and as a page, and its PTX into the folder; returns
-// the file's name and the headline numbers.
+// the file's name, the headline numbers and the samples.
 struct ProfiledCase {
   std::string report_file;
   reports::Headline headline;
+  std::vector<reports::SweepCase::Sample> samples;
 };
 ProfiledCase profile_case(const SweepSetting& setting, const Variant& variant);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fmt/format.h>
 #include <future>
 #include <iostream>
 #include <map>
@@ -40,7 +41,7 @@ struct Options {
   SimulatorOptions simulator;
   OutputOptions output;
   std::string out;
-  std::uint64_t at_step = 0;
+  std::uint64_t at_step = 0, sample_every = 0;
   std::uint64_t steps = 100, bed = default_bed_particles;
   bool resume = false;
   std::string shard = "1/1";
@@ -59,9 +60,7 @@ class IndexFile {
     const auto path = folder_ / reports::sweep_index_name;
     if (!std::filesystem::exists(path)) return;
     const reports::SweepIndex earlier = reports::read_sweep(path);
-    if (earlier.scene != index_.scene || earlier.particles != index_.particles || earlier.step != index_.step)
-      throw_input_error(path.string(), "a sweep of " + reports::title_of(earlier),
-                        "one of " + reports::title_of(index_));
+    reports::require_same_state(path.string(), earlier, index_);
     for (const reports::SweepCase& c : earlier.cases)
       if (c.status == reports::CaseStatus::done) index_.cases.push_back(c);
   }
@@ -120,6 +119,8 @@ class Sweep {
   };
 
   void open_index() {
+    if (options_.sample_every != 0 && options_.at_step == 0)
+      throw_input_error("--sample-every", "no steps to sample on the way", "--at-step");
     setting_.scene = options_.scene.load();
     setting_.at_step = options_.at_step;
     setting_.timed_steps = options_.steps;
@@ -134,6 +135,7 @@ class Sweep {
     index.command_line = command_line();
     index.scene = setting_.scene.name;
     index.particles = setting_.scene.particles.size();
+    index.seed = setting_.scene.seed;
     index.step = options_.at_step;
     make_folder(setting_.folder);
     index_.emplace(setting_.folder, std::move(index));
@@ -152,8 +154,17 @@ class Sweep {
   }
 
   void prepare_common_state() {
-    if (!pending_.empty())
+    if (pending_.empty()) return;
+    if (options_.sample_every == 0) {
       setting_.scene = advanced(setting_.scene, Variant{}, setting_.backend, options_.at_step, progress_);
+      return;
+    }
+    const RunGoal goal{options_.at_step, {}, options_.sample_every};
+    const RunOutcome outcome =
+        advance(setting_.scene, Variant{}, setting_.backend, goal, progress_, [&](std::uint64_t step) {
+          setting_.passed.push_back({step, setting_.scene.particles});
+        });
+    if (outcome.interrupted) throw Interrupted();
   }
 
   // Notes in the case's row why it failed, so that the others go on.
@@ -200,6 +211,7 @@ class Sweep {
           ProfiledCase profiled = profile_case(setting, pending.variant);
           pending.row.report_file = std::move(profiled.report_file);
           pending.row.headline = profiled.headline;
+          pending.row.samples = std::move(profiled.samples);
         });
         lock.lock();
         ++finished;
@@ -222,7 +234,7 @@ class Sweep {
                 << (setting_.folder / "index.html").string() << ", and a report a case beside them\n";
     for (const std::string& trouble : reports::troubles_of(index)) std::cerr << trouble << '\n';
     if (index.cases.size() < n_cases_before_ + pending_.size())
-      return say_interrupted("sweep", index.cases.size(), options_.out);
+      return say_interrupted("sweep", fmt::format("after {} of its cases", index.cases.size()), options_.out);
     for (const reports::SweepCase& row : index.cases)
       if (row.status == reports::CaseStatus::failed) return 2;
     return 0;
@@ -247,6 +259,7 @@ void add_sweep_command(CLI::App& app, Action& chosen) {
   add_option(command, "--axis", options->axis);
   add_option(command, "--out", options->out)->required();
   add_option(command, "--at-step", options->at_step);
+  add_option(command, "--sample-every", options->sample_every);
   add_option(command, "--bed", options->bed);
   add_option(command, "--steps", options->steps);
   add_flag(command, "--resume", options->resume);

@@ -39,6 +39,7 @@ struct Scene {
   std::vector<Material> materials;
   ContactTable contacts;
   ParticleState particles;
+  std::optional<std::uint64_t> seed;  // of the fill that the particles come from, where they do
   std::vector<Wall> walls;
   // The box of the collision grid; a particle whose centre leaves it is an error that names it. From the
   // file's "domain", else derived from particles and walls.

@@ -95,6 +95,7 @@ double read_fill(const JsonReader& json, const SceneOverrides& overrides, Scene&
 
   double stretch = 1;
   if (overrides.seed) fill.seed = *overrides.seed;
+  scene.seed = fill.seed;
   if (overrides.particles) {
     if (*overrides.particles == 0) fill_json.fail("0 particles asked for", "at least one");
     stretch = std::cbrt(static_cast<double>(*overrides.particles) / static_cast<double>(fill.count));

@@ -90,6 +90,7 @@ std::string accuracy_json(const AccuracyReport& report) {
   AccuracyJson json = document_head(accuracy_format, report.generator, report.command_line);
   json["scene"] = report.scene;
   json["particles"] = report.particles;
+  if (report.seed) json["seed"] = *report.seed;
   json["step"] = report.step;
   json["time_step"] = report.time_step;
   json["seeds"] = report.seeds;
@@ -109,6 +110,7 @@ AccuracyReport read_accuracy(const std::filesystem::path& file) {
   report.command_line = root.at("command_line").string();
   report.scene = root.at("scene").string();
   report.particles = root.at("particles").whole_number();
+  report.seed = optional_whole_number(root, "seed");
   report.step = root.at("step").whole_number();
   report.time_step = root.at("time_step").number();
   report.seeds = root.at("seeds").whole_number();

@@ -70,8 +70,9 @@ struct AccuracyReport {
   std::string command_line;
   std::string scene;
   std::uint64_t particles = 0, step = 0;
-  double time_step = 0;  // s
-  std::uint64_t seeds = 0;
+  double time_step = 0;                    // s
+  std::optional<std::uint64_t> seed;       // of the scene's fill
+  std::uint64_t seeds = 0;                 // of the ensembles: 1 to this
   std::string cost = "warp_instructions";  // of cost_names
   std::uint64_t cost_particles = 0;        // of the scene that costs were counted of
   std::string machine;                     // its name; empty: none

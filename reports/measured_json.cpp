@@ -106,6 +106,7 @@ std::string measured_json(const MeasuredReport& measured) {
   if (measured.variant) json["variant"] = *measured.variant;
   add_modelled_parts(json, measured.model);
   if (measured.particles) json["particles"] = *measured.particles;
+  if (measured.seed) json["seed"] = *measured.seed;
   if (measured.step)
     json["step"] = {{"steps", measured.step->steps}, {"seconds", seconds_json(measured.step->seconds)}};
   json["kernels"] = Json::array();
@@ -126,6 +127,7 @@ MeasuredReport read_measured(const std::filesystem::path& file) {
   measured.variant = optional_string(root, "variant");
   measured.model = modelled_parts_from(root);
   measured.particles = optional_whole_number(root, "particles");
+  measured.seed = optional_whole_number(root, "seed");
   if (const auto step = root.maybe("step"))
     measured.step = {step->at("steps").whole_number(), seconds_from(step->at("seconds"))};
   for (const JsonReader& kernel : root.at("kernels").elements())

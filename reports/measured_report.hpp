@@ -61,7 +61,7 @@ struct MeasuredReport {
   Device device;
   std::optional<std::string> scene, variant;
   ModelledParts model;
-  std::optional<std::uint64_t> particles;
+  std::optional<std::uint64_t> particles, seed;  // seed: of the scene's fill
   std::optional<Step> step;
   std::vector<Kernel> kernels;
 };

@@ -28,8 +28,7 @@ SweepIndex merged(std::span<const SweepShard> shards) {
   SweepIndex all = shards.front().index;
   for (const SweepShard& shard : shards.subspan(1)) {
     const SweepIndex& index = shard.index;
-    if (index.scene != all.scene || index.particles != all.particles || index.step != all.step)
-      throw_input_error(shard.folder.string(), "a sweep of " + title_of(index), "one of " + title_of(all));
+    require_same_state(shard.folder.string(), index, all);
     for (const SweepCase& sweep_case : index.cases) {
       const auto known = std::ranges::find(all.cases, sweep_case.variant, &SweepCase::variant);
       if (known == all.cases.end()) {

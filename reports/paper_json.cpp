@@ -3,6 +3,7 @@
 #include "reports/json_fields.hpp"
 #include "reports/json_text.hpp"
 #include "reports/paper_report.hpp"
+#include "reports/state_sample_json.hpp"
 
 namespace warpgrain::reports {
 namespace {
@@ -19,21 +20,6 @@ Json to_json(const PaperReport::Row& row) {
   for (const PaperReport::Measured& measured : row.measured)
     json["measured"].push_back({{"value", measured.value}, {"on", measured.on}});
   if (!row.remark.empty()) json["remark"] = row.remark;
-  return json;
-}
-
-Json to_json(const PaperReport::Sample& sample) {
-  Json json{{"step", sample.step},
-            {"time", sample.time},
-            {"mean_candidates", sample.mean_candidates},
-            {"most_candidates", sample.most_candidates},
-            {"mean_contacts", sample.mean_contacts},
-            {"most_contacts", sample.most_contacts},
-            {"kernels", Json::array()}};
-  for (const PaperReport::Sample::Kernel& kernel : sample.kernels)
-    json["kernels"].push_back({{"kernel", kernel.kernel},
-                               {"warp_instructions", kernel.warp_instructions},
-                               {"simt_efficiency", kernel.simt_efficiency}});
   return json;
 }
 
@@ -61,20 +47,6 @@ PaperReport::Row paper_row_from(const JsonReader& place) {
   return row;
 }
 
-PaperReport::Sample paper_sample_from(const JsonReader& place) {
-  PaperReport::Sample sample{place.at("step").whole_number(),
-                             place.at("time").number(),
-                             place.at("mean_candidates").number(),
-                             place.at("mean_contacts").number(),
-                             whole_number32(place.at("most_candidates")),
-                             whole_number32(place.at("most_contacts")),
-                             {}};
-  for (const JsonReader& kernel : place.at("kernels").elements())
-    sample.kernels.push_back({kernel.at("kernel").string(), kernel.at("warp_instructions").whole_number(),
-                              kernel.at("simt_efficiency").number()});
-  return sample;
-}
-
 PaperReport::Paths paths_from(const JsonReader& place) {
   return {place.at("kernel").string(),           place.at("file").string(),
           whole_number32(place.at("line")),      whole_number32(place.at("branches")),
@@ -88,6 +60,8 @@ std::string paper_json(const PaperReport& report) {
   Json json = document_head(paper_format, report.generator, report.command_line);
   json["scene"] = report.scene;
   json["particles"] = report.particles;
+  if (report.seed) json["seed"] = *report.seed;
+  json["fall"] = {{"steps", report.fall_steps}, {"over", report.fall_is_over}};
   for (const char* key : {"rows", "samples", "paths"}) json[key] = Json::array();
   for (const auto& row : report.rows) json["rows"].push_back(to_json(row));
   for (const auto& sample : report.samples) json["samples"].push_back(to_json(sample));
@@ -102,9 +76,13 @@ PaperReport read_paper(const std::filesystem::path& file) {
   report.command_line = root.at("command_line").string();
   report.scene = root.at("scene").string();
   report.particles = root.at("particles").whole_number();
+  report.seed = optional_whole_number(root, "seed");
+  if (const auto fall = root.maybe("fall")) {  // older documents lack it
+    report.fall_steps = fall->at("steps").whole_number();
+    report.fall_is_over = fall->at("over").boolean();
+  }
   for (const JsonReader& row : root.at("rows").elements()) report.rows.push_back(paper_row_from(row));
-  for (const JsonReader& sample : root.at("samples").elements())
-    report.samples.push_back(paper_sample_from(sample));
+  report.samples = state_samples_from(root.at("samples"));
   for (const JsonReader& paths : root.at("paths").elements()) report.paths.push_back(paths_from(paths));
   return report;
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "reports/generator.hpp"
+#include "reports/state_sample.hpp"
 
 namespace warpgrain::reports {
 
@@ -28,19 +29,6 @@ struct PaperReport {
     std::vector<Measured> measured;
     std::string remark;  // what the values are, where that is not plain
   };
-  // One state between falling and at rest.
-  struct Sample {
-    struct Kernel {
-      std::string kernel;
-      std::uint64_t warp_instructions = 0;
-      double simt_efficiency = 0;
-    };
-    std::uint64_t step = 0;
-    double time = 0;  // s
-    double mean_candidates = 0, mean_contacts = 0;
-    std::uint32_t most_candidates = 0, most_contacts = 0;
-    std::vector<Kernel> kernels;  // of the step, largest first
-  };
   // A body of a loop, or of the kernel outside of loops.
   struct Paths {
     std::string kernel, file;
@@ -54,9 +42,12 @@ struct PaperReport {
   std::string command_line;
   std::string scene;
   std::uint64_t particles = 0;
+  std::optional<std::uint64_t> seed;  // of the fill
+  std::uint64_t fall_steps = 0;       // how far the particles have fallen
+  bool fall_is_over = true;           // else Ctrl-C has ended it, and there are no rows yet
   std::vector<Row> rows;
-  std::vector<Sample> samples;  // in order of time
-  std::vector<Paths> paths;     // of the step's heaviest kernel
+  std::vector<StateSample> samples;  // in order of time
+  std::vector<Paths> paths;          // of the step's heaviest kernel
 };
 
 // Throws InputError naming a number that is not finite.

@@ -93,11 +93,11 @@ void add_throughputs(std::vector<Row>& rows, const PaperFacts& facts) {
 
 void add_candidates(std::vector<Row>& rows, const PaperReport& report) {
   std::uint32_t most_candidates = 0, most_contacts = 0;
-  for (const PaperReport::Sample& sample : report.samples) {
+  for (const StateSample& sample : report.samples) {
     most_candidates = std::max(most_candidates, sample.most_candidates);
     most_contacts = std::max(most_contacts, sample.most_contacts);
   }
-  const PaperReport::Sample& last = report.samples.back();
+  const StateSample& last = report.samples.back();
   rows.push_back({eq_13,
                   "candidates a particle",
                   "",

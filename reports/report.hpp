@@ -17,6 +17,7 @@
 #include "reports/generator.hpp"
 #include "reports/modelled_parts.hpp"
 #include "reports/source_text.hpp"
+#include "reports/state_sample.hpp"
 
 namespace warpgrain::reports {
 
@@ -41,7 +42,9 @@ struct Report {
   std::optional<std::string> variant;  // branchy/cells/cell/fp32/default
   ModelledParts model;                 // of a scene's kernels
   std::optional<std::uint64_t> particles;
+  std::optional<std::uint64_t> seed;  // of a scene's fill
   std::optional<std::uint64_t> step;  // the time step that was profiled, 0 = the first
+  std::vector<StateSample> samples;   // states on the way there, where they were asked for
   std::optional<Bed> bed;             // of a scene
   std::optional<Machine> machine;     // where one was asked for
   // What an instruction is: "ptx" as compiled, "sass" as ptxas made it, "mixed" where it depends on the

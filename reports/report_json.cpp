@@ -17,6 +17,7 @@
 #include "reports/modelled_parts_json.hpp"
 #include "reports/predicted_times.hpp"
 #include "reports/replay_json.hpp"
+#include "reports/state_sample_json.hpp"
 #include "reports/timeline_json.hpp"
 
 namespace warpgrain::reports {
@@ -194,6 +195,7 @@ std::string report_json(const Report& report) {
   if (report.variant) json["variant"] = *report.variant;
   add_modelled_parts(json, report.model);
   if (report.particles) json["particles"] = *report.particles;
+  if (report.seed) json["seed"] = *report.seed;
   if (report.step) json["step"] = *report.step;
   if (report.machine) json["machine"] = machine_json(*report.machine);
   json["weights"] = report.weights;
@@ -203,6 +205,7 @@ std::string report_json(const Report& report) {
   std::set<std::string> written;
   for (const LaunchReport& launch : report.launches)
     json["launches"].push_back(launch_json(report, launch, written.insert(launch.source.hash).second));
+  if (!report.samples.empty()) json["samples"] = array_of(report.samples);
   if (report.bed) json["bed"] = to_json(*report.bed);
   return json_text(json, "report");
 }
@@ -216,7 +219,9 @@ Report read_report(const std::filesystem::path& file) {
   if (root.maybe("variant")) report.variant = variant_from(root);
   report.model = modelled_parts_from(root);
   report.particles = optional_whole_number(root, "particles");
+  report.seed = optional_whole_number(root, "seed");
   report.step = optional_whole_number(root, "step");
+  if (const auto samples = root.maybe("samples")) report.samples = state_samples_from(*samples);
   if (const auto machine = root.maybe("machine")) report.machine = machine_from(*machine);
   if (const auto bed = root.maybe("bed")) report.bed = bed_from(*bed);
   report.weights = root.at("weights").string();

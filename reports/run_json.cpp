@@ -54,6 +54,7 @@ std::string run_json(const RunReport& run) {
   json["device"] = run.device;
   add_modelled_parts(json, run.model);
   json["particles"] = run.particles;
+  if (run.seed) json["seed"] = *run.seed;
   json["steps"] = run.steps;
   json["time_step"] = run.time_step;
   json["ended_by"] = end_names[static_cast<std::size_t>(run.ended_by)];
@@ -78,6 +79,7 @@ RunReport read_run(const std::filesystem::path& file) {
   run.backend = root.at("backend").string();
   run.device = root.at("device").string();
   run.particles = root.at("particles").whole_number();
+  run.seed = optional_whole_number(root, "seed");
   run.steps = root.at("steps").whole_number();
   run.time_step = root.at("time_step").number();
   run.ended_by = static_cast<RunEndReason>(root.at("ended_by").one_of(end_names, "end of a run"));

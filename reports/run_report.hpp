@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,6 +42,7 @@ struct RunReport {
   std::string device;  // as it calls itself
   ModelledParts model;
   std::uint64_t particles = 0;
+  std::optional<std::uint64_t> seed;  // of the scene's fill
   std::uint64_t steps = 0;
   double time_step = 0;  // s
   RunEndReason ended_by = RunEndReason::steps;

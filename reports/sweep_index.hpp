@@ -46,6 +46,13 @@ struct SweepCase {
   std::string message;                     // empty when done
   std::optional<std::string> report_file;  // "warpgrain.report/1", relative to the index
   std::optional<Headline> headline;        // of every launch of the report together
+  // Of all kernels of a step together, at states on the way; empty where none was asked for.
+  struct Sample {
+    std::uint64_t step = 0;
+    double time = 0;  // s
+    double simt_efficiency = 0;
+  };
+  std::vector<Sample> samples;
   std::vector<BackendReading> backends;
 };
 
@@ -54,7 +61,8 @@ struct SweepIndex {
   std::string command_line;
   std::string scene;
   std::uint64_t particles = 0;
-  std::uint64_t step = 0;  // the time step that was profiled
+  std::optional<std::uint64_t> seed;  // of the scene's fill
+  std::uint64_t step = 0;             // the time step that was profiled
   std::vector<SweepCase> cases;
 };
 
@@ -63,6 +71,10 @@ const BackendReading* reading_of(const SweepCase& sweep_case, std::string_view b
 
 // "slit, 16,384 particles, step 4,000: 4 variants"
 std::string title_of(const SweepIndex& index);
+
+// Throws InputError, naming `where`, unless both are of one state of one scene. Documents without a seed,
+// which may be older than it, go with any.
+void require_same_state(const std::string& where, const SweepIndex& found, const SweepIndex& expected);
 
 // Throws InputError naming a number that is not finite.
 std::string sweep_json(const SweepIndex& index);

@@ -71,6 +71,9 @@ Json to_json(const SweepCase& sweep_case) {
   if (!sweep_case.message.empty()) json["message"] = sweep_case.message;
   if (sweep_case.report_file) json["report_file"] = *sweep_case.report_file;
   if (sweep_case.headline) json["headline"] = to_json(*sweep_case.headline);
+  for (const SweepCase::Sample& sample : sweep_case.samples)
+    json["samples"].push_back(
+        {{"step", sample.step}, {"time", sample.time}, {"simt_efficiency", sample.simt_efficiency}});
   json["backends"] = Json::array();
   for (const BackendReading& reading : sweep_case.backends) json["backends"].push_back(to_json(reading));
   return json;
@@ -85,6 +88,10 @@ SweepCase case_from(const JsonReader& place) {
   sweep_case.message = optional_string(place, "message").value_or("");
   sweep_case.report_file = optional_string(place, "report_file");
   if (const auto headline = place.maybe("headline")) sweep_case.headline = headline_from(*headline);
+  if (const auto samples = place.maybe("samples"))
+    for (const JsonReader& sample : samples->elements())
+      sweep_case.samples.push_back({sample.at("step").whole_number(), sample.at("time").number(),
+                                    sample.at("simt_efficiency").number()});
   for (const JsonReader& reading : place.at("backends").elements())
     sweep_case.backends.push_back(reading_from(reading));
   return sweep_case;
@@ -100,6 +107,7 @@ std::string sweep_json(const SweepIndex& index) {
   Json json = document_head(sweep_format, index.generator, index.command_line);
   json["scene"] = index.scene;
   json["particles"] = index.particles;
+  if (index.seed) json["seed"] = *index.seed;
   json["step"] = index.step;
   json["cases"] = Json::array();
   for (const SweepCase& sweep_case : index.cases) json["cases"].push_back(to_json(sweep_case));
@@ -113,6 +121,7 @@ SweepIndex read_sweep(const std::filesystem::path& file) {
   index.command_line = root.at("command_line").string();
   index.scene = root.at("scene").string();
   index.particles = root.at("particles").whole_number();
+  index.seed = optional_whole_number(root, "seed");
   index.step = root.at("step").whole_number();
   for (const JsonReader& sweep_case : root.at("cases").elements())
     index.cases.push_back(case_from(sweep_case));

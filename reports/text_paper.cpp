@@ -4,6 +4,7 @@
 
 #include "reports/number_text.hpp"
 #include "reports/paper_report.hpp"
+#include "reports/text_state_samples.hpp"
 #include "reports/text_table.hpp"
 
 namespace warpgrain::reports {
@@ -47,32 +48,6 @@ std::string remarks(const PaperReport& report) {
   return text;
 }
 
-std::string samples_table(const PaperReport& report) {
-  std::vector<std::string> kernels;  // those with a hundredth of some step's warp instructions
-  for (const PaperReport::Sample& sample : report.samples) {
-    std::uint64_t all = 0;
-    for (const auto& kernel : sample.kernels) all += kernel.warp_instructions;
-    for (const auto& kernel : sample.kernels)
-      if (kernel.warp_instructions * 100 >= all && std::ranges::find(kernels, kernel.kernel) == kernels.end())
-        kernels.push_back(kernel.kernel);
-  }
-  std::vector<TextTable::Column> columns{{"step"}, {"time"}, {"candidates"}, {"contacts"}};
-  for (const std::string& kernel : kernels) columns.push_back({kernel});
-  TextTable table(columns);
-  for (const PaperReport::Sample& sample : report.samples) {
-    std::vector<std::string> row{
-        count_text(sample.step), seconds_text(sample.time),
-        fmt::format("{:.2f}, most {}", sample.mean_candidates, sample.most_candidates),
-        fmt::format("{:.2f}, most {}", sample.mean_contacts, sample.most_contacts)};
-    for (const std::string& name : kernels) {
-      const auto kernel = std::ranges::find(sample.kernels, name, &PaperReport::Sample::Kernel::kernel);
-      row.push_back(kernel == sample.kernels.end() ? "-" : fixed_text(kernel->simt_efficiency, 3));
-    }
-    table.add_row(row);
-  }
-  return table.text();
-}
-
 std::string paths_table(const PaperReport& report) {
   TextTable table({{"body at", TextTable::Align::left},
                    {"branches"},
@@ -93,8 +68,7 @@ std::string text_paper(const PaperReport& report) {
   std::string text =
       fmt::format("Washizawa & Nakahara's figures; scene {}, {} particles\n\n{}\n{}", report.scene,
                   count_text(report.particles), rows_table(report), remarks(report));
-  text += "\nSIMT efficiency of each kernel from falling to rest; candidates and contacts a particle\n\n";
-  text += samples_table(report);
+  text += text_state_samples(report.samples);
   if (!report.paths.empty())
     text +=
         fmt::format("\nPaths of lanes through {}\n\n{}", report.paths.front().kernel, paths_table(report));

@@ -12,6 +12,7 @@
 #include "reports/number_text.hpp"
 #include "reports/predicted_times.hpp"
 #include "reports/summary.hpp"
+#include "reports/text_state_samples.hpp"
 #include "reports/text_table.hpp"
 #include "reports/weights_text.hpp"
 
@@ -162,6 +163,7 @@ std::string text_report(const Report& report, const TextReportOptions& options) 
   text += text_modelled_parts(report.model);
   if (report.machine) text += sfu_table(*report.machine, kernels);
   text += predicted_table(report, kernels);
+  text += text_state_samples(report.samples);
   for (std::size_t k = 0; k < std::min(kernels.size(), options.kernels); ++k) {
     const KernelSummary& kernel = kernels[k];
     if (const std::string losses = loss_list(kernel, options.causes); !losses.empty())

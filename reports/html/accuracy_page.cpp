@@ -185,16 +185,17 @@ std::string accuracy_page(const AccuracyReport& report) {
                   html::escape(report.scene), count_text(report.particles), count_text(report.step));
   body +=
       front_chart(report, criteria) + cases_table(report, criteria) + sentences(report) + ensembles(report);
-  body +=
-      html::provenance(report.generator, report.command_line,
-                       {{"format", std::string(accuracy_format)},
-                        {"time step", fmt::format("{:g} s", report.time_step)},
-                        {"cost", report.cost},
-                        {"costs counted of",
-                         report.cost_particles != 0 ? count_text(report.cost_particles) + " particles" : ""},
-                        {"machine", report.machine},
-                        {"measured", report.measured},
-                        {"seeds", report.seeds > 0 ? count_text(report.seeds) : ""}});
+  body += html::provenance(
+      report.generator, report.command_line,
+      {{"format", std::string(accuracy_format)},
+       {"time step", fmt::format("{:g} s", report.time_step)},
+       {"cost", report.cost},
+       {"costs counted of",
+        report.cost_particles != 0 ? count_text(report.cost_particles) + " particles" : ""},
+       {"machine", report.machine},
+       {"measured", report.measured},
+       {"seed", html::seed_text(report.seed)},
+       {"seeds of the ensembles", report.seeds > 0 ? fmt::format("1 to {}", report.seeds) : ""}});
   return html::page("Accuracy", body);
 }
 

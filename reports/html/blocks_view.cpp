@@ -42,11 +42,12 @@ std::string lanes_bars(const std::vector<std::uint64_t>& lane_histogram) {
 std::string blocks_view(const KernelSummary& kernel) {
   const profiler::LaunchCounters& counters = kernel.counters;
   Table table({{"block", "label in the PTX", true},
-               {"instructions", "in the block"},
-               {"executions", "by warps"},
-               {"active lanes", "mean of the executions"},
+               {"instructions", "of the PTX, in the block"},
+               {"executions", "how often warps ran the block"},
+               {"active lanes", explanation("mean of the executions", "active_lanes")},
                {"by active lanes", "executions by number of active lanes, each block to its own largest"},
-               {"lanes disagreed", "share of the executions from which lanes went different ways"},
+               {"lanes disagreed", explanation("share of the executions from which lanes went different ways",
+                                               "divergent_branches")},
                {"idle lane slots", std::string(metric("lane_slots_idle").definition)},
                {"share", "of all idle lane slots"}});
   const auto all = static_cast<double>(kernel.lane_slots_lost());

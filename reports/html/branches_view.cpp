@@ -25,11 +25,12 @@ std::string introduction(const KernelSummary& kernel) {
 
 std::string branches_view(const KernelSummary& kernel) {
   Table table({{"branch", "the // branch: comment of the source line, else the line", true},
-               {"place", "", true},
-               {"share of the loss", "of the lane slots that this kernel lost"},
+               {"place", "file and line of the branch", true},
+               {"share of the loss", explanation(metric("loss_share"))},
                {"lost lane slots", explanation(metric("lane_slots_lost"))},
-               {"executions", "by warps"},
-               {"lanes disagreed", "share of the executions"},
+               {"executions", explanation("how often warps came to it", "branches")},
+               {"lanes disagreed",
+                explanation("share of the executions whose lanes disagreed", "divergent_branches")},
                {"lanes that took it", "share of the lanes that executed it"},
                {"by active lanes", "executions by number of active lanes, each branch to its own largest"}});
   const auto lost = static_cast<double>(kernel.lane_slots_lost());

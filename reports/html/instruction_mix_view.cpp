@@ -4,11 +4,11 @@
 namespace warpgrain::reports::html {
 
 std::string instruction_mix_view(const profiler::Totals& totals) {
-  Table table({{"class", "", true},
-               {"warp instructions", "instructions issued, one a warp"},
+  Table table({{"class", "what the instructions do", true},
+               Table::of_metric("warp_instructions"),
                {"share", "of the warp instructions"},
-               {"thread instructions", "the same, counted per active lane"},
-               {"active lanes", "thread instructions / warp instructions"}});
+               Table::of_metric("thread_instructions"),
+               Table::of_metric("active_lanes")});
   for (std::size_t c = 0; c < totals.instruction_mix.size(); ++c) {
     const profiler::InstructionCount& count = totals.instruction_mix[c];
     if (count.warp == 0) continue;

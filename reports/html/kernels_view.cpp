@@ -8,7 +8,7 @@ namespace warpgrain::reports::html {
 namespace {
 
 Table table_of(Table::Column second) {
-  return Table({{"kernel", "", true},
+  return Table({{"kernel", "its name in the source", true},
                 std::move(second),
                 Table::of_metric("simt_efficiency"),
                 Table::of_metric("active_lanes"),

@@ -9,8 +9,8 @@ namespace warpgrain::reports::html {
 namespace {
 
 std::string sfu_table(const Machine& machine, const std::vector<KernelSummary>& kernels) {
-  Table table({{"kernel", "", true},
-               {"SFU instructions", "warp instructions on the special-function units"},
+  Table table({{"kernel", "its name in the source", true},
+               Table::of_metric("sfu_instructions"),
                {"SFU cycles", "SFU instructions * warp width / SFU lanes of a multiprocessor"},
                {"issue cycles", "warp instructions / issue rate of a multiprocessor"},
                {"SFU/issue", "above 100 % the special-function units are the limit"}});
@@ -29,7 +29,9 @@ std::string sfu_table(const Machine& machine, const std::vector<KernelSummary>& 
 std::string machine_view(const Report& report, const std::vector<KernelSummary>& kernels) {
   if (!report.machine) return {};
   const Machine& machine = *report.machine;
-  Table values({{"machine", "", true}, {"value", ""}, {"source", "", true}});
+  Table values({{"machine", "a number of the machine file", true},
+                {"value", "in units of the SI"},
+                {"source", "where the number was published", true}});
   for (const MachineKey& key : machine_keys) {
     const MachineValue& value = machine.*key.value;
     values.add_row({text_cell(key.key), text_cell(fmt::format("{}", value.value)), text_cell(value.source)});

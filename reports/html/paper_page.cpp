@@ -7,6 +7,7 @@
 #include "reports/html/charts.hpp"
 #include "reports/html/page.hpp"
 #include "reports/html/provenance.hpp"
+#include "reports/html/samples_view.hpp"
 #include "reports/html/table.hpp"
 #include "reports/number_text.hpp"
 
@@ -90,49 +91,6 @@ std::string sections_html(const PaperReport& report) {
   return html;
 }
 
-bool is_heavy(const PaperReport::Sample& sample, const PaperReport::Sample::Kernel& kernel) {
-  std::uint64_t all = 0;
-  for (const auto& other : sample.kernels) all += other.warp_instructions;
-  return kernel.warp_instructions * 100 >= all;
-}
-
-html::XyChart::Series& series_named(html::XyChart& chart, const std::string& name) {
-  const auto known = std::ranges::find(chart.series, name, &html::XyChart::Series::name);
-  return known != chart.series.end() ? *known
-                                     : chart.series.emplace_back(html::XyChart::Series{name, true, {}});
-}
-
-std::string fall_html(const PaperReport& report) {
-  if (report.samples.empty()) return {};
-  html::XyChart efficiency{"time [s]", "SIMT efficiency", {}, false, true};
-  html::XyChart neighbours{"time [s]", "a particle", {}, false, true};
-  for (const PaperReport::Sample& sample : report.samples) {
-    const std::string label = fmt::format("step {}", count_text(sample.step));
-    for (const auto& kernel : sample.kernels)
-      if (is_heavy(sample, kernel))
-        series_named(efficiency, kernel.kernel)
-            .points.push_back({sample.time, kernel.simt_efficiency, label, {}, {}});
-    series_named(neighbours, "candidates, mean")
-        .points.push_back({sample.time, sample.mean_candidates, label, {}, {}});
-    series_named(neighbours, "contacts, mean")
-        .points.push_back({sample.time, sample.mean_contacts, label, {}, {}});
-  }
-  html::Table table({{"step", ""},
-                     {"time [s]", ""},
-                     {"candidates", "other particles in the 27 cells, mean"},
-                     {"most", "of any particle"},
-                     {"contacts", "mean"},
-                     {"most", "of any particle"}});
-  for (const PaperReport::Sample& sample : report.samples)
-    table.add_row({html::count_cell(sample.step), html::number_cell(sample.time, 4),
-                   html::number_cell(sample.mean_candidates, 2), html::count_cell(sample.most_candidates),
-                   html::number_cell(sample.mean_contacts, 2), html::count_cell(sample.most_contacts)});
-  return "<h2>From falling to rest</h2>\n" +
-         html::xy_chart("SIMT efficiency of the kernels with a hundredth of the warp instructions",
-                        efficiency) +
-         html::xy_chart("Candidates and contacts", neighbours) + table.html();
-}
-
 std::string paths_html(const PaperReport& report) {
   if (report.paths.empty()) return {};
   html::Table table({{"body at", "a loop, or the kernel outside of loops", true},
@@ -158,9 +116,11 @@ std::string paper_page(const PaperReport& report) {
   std::string body = fmt::format(
       "<h1>{}</h1>\n<p class=\"soft\">{}, {} particles. Point at a heading for what a column holds.</p>\n",
       title, html::escape(report.scene), count_text(report.particles));
-  body += sections_html(report) + fall_html(report) + paths_html(report);
+  body += sections_html(report) + html::samples_view(report.samples) + paths_html(report);
   body += html::provenance(report.generator, report.command_line,
-                           {{"format", std::string(paper_format)}, {"scene", report.scene}});
+                           {{"format", std::string(paper_format)},
+                            {"scene", report.scene},
+                            {"seed", html::seed_text(report.seed)}});
   return html::page(title, body);
 }
 

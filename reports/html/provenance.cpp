@@ -6,6 +6,10 @@
 
 namespace warpgrain::reports::html {
 
+std::string seed_text(const std::optional<std::uint64_t>& seed) {
+  return seed ? fmt::format("{}", *seed) : std::string();
+}
+
 std::string provenance(const Generator& generator, const std::string& command_line, const Provenance& more) {
   Provenance all{{"warpgrain", fmt::format("{}, revision {}", generator.version, generator.git_revision)},
                  {"command", command_line}};

@@ -11,6 +11,7 @@ namespace warpgrain::reports::html {
 std::string provenance_view(const Report& report) {
   Provenance entries{{"format", std::string(report_format)}};
   for (const std::string& line : weights_lines(report)) entries.emplace_back("instructions", line);
+  entries.emplace_back("seed", seed_text(report.seed));
   if (report.machine) entries.emplace_back("machine", report.machine->name);
   std::set<std::string> seen;  // what launches share is said once
   for (const LaunchReport& launch : report.launches) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "reports/html/page.hpp"
+#include "reports/html/samples_view.hpp"
 #include "reports/html/views.hpp"
 #include "reports/number_text.hpp"
 #include "reports/summary.hpp"
@@ -36,7 +37,7 @@ std::string report_page(const Report& report) {
       html::diagnostics_view(report) + html::headline_view(kernels), html::kernels_view(report, kernels));
   body += html::machine_view(report, kernels);
   body += html::model_view(report.model);
-  body += html::bed_view(report);
+  body += html::bed_view(report) + html::samples_view(report.samples);
   body += "<h2>Kernel by kernel</h2>\n";
   const std::uint64_t all_instructions = headline_of(kernels).warp_instructions;
   for (const KernelSummary& kernel : kernels)

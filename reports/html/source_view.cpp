@@ -2,8 +2,10 @@
 #include <fmt/format.h>
 #include <map>
 #include <utility>
+#include <vector>
 
 #include "reports/html/page.hpp"
+#include "reports/html/table.hpp"
 #include "reports/html/views.hpp"
 #include "reports/number_text.hpp"
 
@@ -24,6 +26,21 @@ double lost_slots(const Totals& totals, std::uint32_t warp_width) {
 double sectors(const Totals& totals) {
   return static_cast<double>(totals.global_load.sectors + totals.global_store.sectors +
                              totals.atomic.sectors);
+}
+
+std::vector<Table::Column> columns_of_source() {
+  const auto sectors_of = [](const char* key) { return metric(key).ncu_metric; };
+  return {Table::of_metric("warp_instructions"),
+          Table::of_metric("active_lanes"),
+          {"by active lanes", std::string(metric("lane_histogram").definition)},
+          Table::of_metric("lane_slots_idle"),
+          Table::of_metric("sfu_instructions"),
+          {"sectors",
+           fmt::format("32-byte sectors that loads, stores and atomics of global memory touched, request by "
+                       "request\nNsight Compute: {}, {}; none for atomics",
+                       sectors_of("global_load_sectors"), sectors_of("global_store_sectors"))},
+          {"line", "of the file that is named above it"},
+          {"code", "a branch is named by its // branch: comment", true}};
 }
 
 // The largest value of each column, which is its full shade.
@@ -118,11 +135,10 @@ std::string source_view(const KernelSummary& kernel) {
   const Scale scale = scale_of(kernel.counters);
   std::string html =
       "<h3>Source</h3>\n<p class=\"soft\">Each column is shaded by its own largest value; active lanes by "
-      "how few they "
-      "are.</p>\n<div class=\"scroll\"><table class=\"source\">\n<thead><tr><th>warp instructions</th>"
-      "<th>active lanes</th><th>by active lanes</th><th>lost lane "
-      "slots</th><th>SFU</th><th>sectors</th><th>line</th>"
-      "<th class=\"text\">code</th></tr></thead>\n<tbody>\n";
+      "how few they are. A click on a line shows its active lanes.</p>\n"
+      "<div class=\"scroll\"><table class=\"source\">\n<thead><tr>";
+  for (const Table::Column& column : columns_of_source()) html += Table::heading_html(column);
+  html += "</tr></thead>\n<tbody>\n";
   html += source_rows(kernel, scale, counts);
   if (!counts.empty()) html += file_row("not in this source");
   for (const auto& [place, line] : counts)

@@ -9,6 +9,7 @@
 #include "reports/html/provenance.hpp"
 #include "reports/html/sweep_changes.hpp"
 #include "reports/html/table.hpp"
+#include "reports/number_text.hpp"
 #include "reports/sweep_columns.hpp"
 
 namespace warpgrain::reports {
@@ -34,13 +35,13 @@ html::Cell value_cell(const SweepColumn& column, const SweepCase& sweep_case, do
 }
 
 std::string explanation_of(const SweepColumn& column) {
-  return column.metric.empty()
-             ? std::string(column.explanation)
-             : fmt::format("{}\n{}", column.explanation, html::explanation(metric(column.metric)));
+  return column.metric.empty() ? std::string(column.explanation)
+                               : html::explanation(column.explanation, column.metric);
 }
 
 html::Table table_of(const SweepIndex& index) {
-  std::vector<html::Table::Column> columns{{"variant", "", true}};
+  std::vector<html::Table::Column> columns{
+      {"variant", "the value of each axis; opens the report of the case", true}};
   std::vector<std::pair<double, double>> ranges;  // one a column
   const std::vector<SweepColumn> shown = sweep_columns(index);
   for (const SweepColumn& column : shown) {
@@ -61,6 +62,20 @@ html::Table table_of(const SweepIndex& index) {
   return table;
 }
 
+// A line a case.
+std::string efficiency_over_time(const SweepIndex& index) {
+  html::XyChart chart{"time [s]", "SIMT efficiency", {}, false, true};
+  for (const SweepCase& sweep_case : index.cases) {
+    if (sweep_case.samples.empty()) continue;
+    html::XyChart::Series& line =
+        chart.series.emplace_back(html::XyChart::Series{sweep_case.variant, true, {}});
+    for (const SweepCase::Sample& sample : sweep_case.samples)
+      line.points.push_back(
+          {sample.time, sample.simt_efficiency, fmt::format("step {}", count_text(sample.step)), {}, {}});
+  }
+  return html::xy_chart("SIMT efficiency of a step, from falling to rest", chart);
+}
+
 std::string list_of(std::string_view heading, const std::vector<std::string>& lines) {
   if (lines.empty()) return {};
   std::string html = fmt::format("<h2>{}</h2>\n<ul>\n", heading);
@@ -76,7 +91,7 @@ std::string sweep_page(const SweepIndex& index, const SweepIndex* baseline) {
       "<h1>{}</h1>\n<p class=\"soft\">Variant sweep; click a heading to sort, point at it for "
       "its meaning.</p>\n{}",
       html::escape(title), table_of(index).html());
-  body += html::sweep_charts(index);
+  body += html::sweep_charts(index) + efficiency_over_time(index);
   if (baseline != nullptr) body += html::sweep_changes(index, *baseline);
   body += "<h2>Columns</h2>\n<dl>\n";
   for (const SweepColumn& column : sweep_columns(index))
@@ -85,8 +100,9 @@ std::string sweep_page(const SweepIndex& index, const SweepIndex* baseline) {
   body += "</dl>\n";
   body += list_of("Not done", troubles_of(index));
   body += list_of("Kernels and devices", notes_of(index));
-  body += html::provenance(index.generator, index.command_line,
-                           {{"format", std::string(sweep_format)}, {"scene", index.scene}});
+  body += html::provenance(
+      index.generator, index.command_line,
+      {{"format", std::string(sweep_format)}, {"scene", index.scene}, {"seed", html::seed_text(index.seed)}});
   return html::page(title, body);
 }
 

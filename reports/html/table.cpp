@@ -27,10 +27,12 @@ Cell optional_cell(std::optional<double> value, int decimals) {
   return value ? number_cell(*value, decimals) : Cell{"-", {}, {}};
 }
 
-std::string explanation(const Metric& metric) {
-  return metric.ncu_metric.empty()
-             ? std::string(metric.definition)
-             : fmt::format("{}\nNsight Compute: {}", metric.definition, metric.ncu_metric);
+std::string explanation(const Metric& metric) { return explanation(metric.definition, metric.key); }
+
+std::string explanation(std::string_view words, std::string_view metric_key) {
+  const Metric& m = metric(metric_key);
+  return m.ncu_metric.empty() ? std::string(words)
+                              : fmt::format("{}\nNsight Compute: {}", words, m.ncu_metric);
 }
 
 Table::Column Table::of_metric(std::string_view key) {
@@ -53,12 +55,20 @@ std::string Table::row_html(const std::vector<Cell>& cells) const {
   for (std::size_t c = 0; c < cells.size(); ++c) {
     const Cell& cell = cells[c];
     std::string attributes;
-    if (columns_[c].is_text) attributes += " class=\"text\"";
+    if (columns_[c].is_text || cell.heat)
+      attributes += fmt::format(" class=\"{}\"", !cell.heat            ? "text"
+                                                 : columns_[c].is_text ? "text heat"
+                                                                       : "heat");
     if (cell.sort_by) attributes += fmt::format(" data-v=\"{}\"", *cell.sort_by);
-    if (cell.heat) attributes += fmt::format(" class=\"heat\" style=\"--h:{:.3f}\"", *cell.heat);
+    if (cell.heat) attributes += fmt::format(" style=\"--h:{:.3f}\"", *cell.heat);
     html += fmt::format("<td{}>{}</td>", attributes, cell.html);
   }
   return html + "</tr>\n";
+}
+
+std::string Table::heading_html(const Column& column) {
+  return fmt::format("<th{} title=\"{}\">{}</th>", column.is_text ? " class=\"text\"" : "",
+                     escape(column.explanation), escape(column.heading));
 }
 
 std::string Table::html() const {
@@ -66,9 +76,7 @@ std::string Table::html() const {
   constexpr std::size_t rows_of_a_screen = 40;
   std::string html = fmt::format("<div class=\"scroll{}\"><table class=\"sortable\">\n<thead><tr>",
                                  rows_.size() > rows_of_a_screen ? " tall" : "");
-  for (const Column& column : columns_)
-    html += fmt::format("<th{} title=\"{}\">{}</th>", column.is_text ? " class=\"text\"" : "",
-                        escape(column.explanation), escape(column.heading));
+  for (const Column& column : columns_) html += heading_html(column);
   html += "</tr></thead>\n<tbody>\n";
   for (const auto& row : rows_) html += row_html(row);
   html += "</tbody>\n";

@@ -25,6 +25,8 @@ Cell optional_cell(std::optional<double> value, int decimals);  // "-" for none
 
 // What a number is, and what Nsight Compute calls it.
 std::string explanation(const Metric& metric);
+// The same in other words, where a table has the metric of something smaller than a launch.
+std::string explanation(std::string_view words, std::string_view metric_key);
 
 class Table {
  public:
@@ -40,6 +42,7 @@ class Table {
   std::string html() const;
 
   static Column of_metric(std::string_view key);
+  static std::string heading_html(const Column& column);
 
  private:
   std::string row_html(const std::vector<Cell>& cells) const;

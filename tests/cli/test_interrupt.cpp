@@ -30,6 +30,21 @@ class Interrupt : public CommandTest {
     user.join();
     return status;
   }
+
+  // Calls, and sends SIGINT once the command watches for it.
+  int call_and_interrupt(const std::vector<std::string>& words) {
+    std::thread user([] {
+      struct sigaction action = {};
+      do {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        sigaction(SIGINT, nullptr, &action);
+      } while (action.sa_handler == SIG_DFL);
+      std::raise(SIGINT);
+    });
+    const int status = call(words);
+    user.join();
+    return status;
+  }
 };
 
 TEST_F(Interrupt, EndsARunThatKeepsWhatItHas) {
@@ -38,7 +53,7 @@ TEST_F(Interrupt, EndsARunThatKeepsWhatItHas) {
       {"run", "--scene", "settled_bed", "--particles", "20", "--backend", "host", "--steps", "1000000000",
        "--vtk", path("vtk"), "--json", path("run.json"), "--checkpoint", path("kept")});
   EXPECT_EQ(status, interrupted_status) << err_;
-  EXPECT_THAT(err_, HasSubstr("with --resume goes on from there"));
+  EXPECT_THAT(err_, HasSubstr("interrupted at step"));
   EXPECT_THAT(out_, HasSubstr("; interrupted"));
   EXPECT_THAT(read("run.json"), HasSubstr("\"ended_by\": \"interrupted\""));
   EXPECT_TRUE(std::filesystem::exists(folder_ / "kept/state.csv"));
@@ -81,7 +96,7 @@ TEST_F(Interrupt, ASweepDoesTheRestLater) {
       "--steps", "1",       "--out",       path("swept")};
   EXPECT_EQ(call_until("swept/branchy-cells-cell-fp32-default.report.json", sweep), interrupted_status)
       << err_;
-  EXPECT_THAT(err_, HasSubstr("of its cases; the same call with --resume does the others"));
+  EXPECT_THAT(err_, HasSubstr("of its cases; the same call with --resume does the rest"));
   std::vector<std::string> again = sweep;
   again.push_back("--resume");
   EXPECT_EQ(call(again), 0) << err_;
@@ -120,6 +135,84 @@ TEST_F(Interrupt, StudiesDoTheRestLater) {
     EXPECT_EQ(call(again), 2);
     EXPECT_THAT(err_, HasSubstr("expected that of this call, --resume aside"));
   }
+}
+
+// As PaperStudy leaves them, wherever Ctrl-C comes: before the first step, on the way, or behind the fall.
+TEST_F(Interrupt, ThePaperGoesOnFromItsCheckpoint) {
+  const std::vector<std::string> paper{"paper",         "--scene",
+                                       "settled_bed",   "--particles",
+                                       "100",           "--steps",
+                                       "3000",          "--quiet",
+                                       "--timed-steps", "5",
+                                       "--samples",     "3",
+                                       "--axis",        "search=cells,verlet",
+                                       "--json",        path("paper.json"),
+                                       "--html",        path("p.html"),
+                                       "--checkpoint",  path("kept")};
+  std::vector<std::string> again = paper;
+  again.push_back("--resume");
+  EXPECT_EQ(call_and_interrupt(paper), interrupted_status) << err_;
+  EXPECT_THAT(err_, HasSubstr("variants; the same call with --resume does the rest"));
+  const nlohmann::json partial = nlohmann::json::parse(read("paper.json"));
+  EXPECT_TRUE(partial["rows"].empty());
+  EXPECT_LE(partial["samples"].size(), 4U);
+  ASSERT_EQ(call(again), 0) << err_;
+  nlohmann::json whole = nlohmann::json::parse(read("paper.json"));
+  std::vector<int> steps;
+  for (const auto& sample : whole["samples"]) steps.push_back(sample["step"]);
+  EXPECT_EQ(steps, std::vector<int>({0, 1000, 2000, 3000}));
+  EXPECT_EQ(whole["fall"]["over"], true);
+
+  // Behind the fall: the last row of each machine is missing, and one that is there is known again.
+  nlohmann::json behind = whole;
+  for (std::size_t k = behind["rows"].size(); k-- > 0;) {
+    auto& row = behind["rows"][k];
+    if (row["quantity"] == "branchy/cells/cell/fp32/default") row["simulated"] = 17.5;
+    if (row["quantity"] == "branchy/verlet/cell/fp32/default") behind["rows"].erase(k);
+  }
+  ASSERT_EQ(behind["rows"].size() + 2, whole["rows"].size());
+  write("paper.json", behind.dump());
+  ASSERT_EQ(call(again), 0) << err_;
+  const nlohmann::json resumed = nlohmann::json::parse(read("paper.json"));
+  ASSERT_EQ(resumed["rows"].size(), whole["rows"].size());
+  for (std::size_t k = 0; k < whole["rows"].size(); ++k) {
+    if (whole["rows"][k]["quantity"] == "branchy/cells/cell/fp32/default")
+      whole["rows"][k]["simulated"] = 17.5;
+    EXPECT_EQ(resumed["rows"][k], whole["rows"][k]);
+  }
+  EXPECT_EQ(resumed["paths"], whole["paths"]);
+
+  again.insert(again.end(), {"--threads", "1"});
+  EXPECT_EQ(call(again), 2);
+  EXPECT_THAT(err_, HasSubstr("expected that of this call, --resume aside"));
+  EXPECT_EQ(call({"paper", "--resume"}), 2);
+}
+
+TEST_F(Interrupt, MeasurementsTakeTheReadingsThatAreLeft) {
+  const std::vector<std::string> measure{"measure",   "--scene", "settled_bed",  "--particles", "20",
+                                         "--backend", "host",    "--steps",      "1",           "--warm-up",
+                                         "0",         "--json",  path("m.json"), "--repeats"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), measure.begin(), measure.end());
+    return more;
+  };
+  std::vector<std::string> again = with({"6", "--resume"});
+  ASSERT_EQ(call(with({"6"})), 0) << err_;
+  nlohmann::json partial = nlohmann::json::parse(read("m.json"));
+  ASSERT_EQ(partial["step"]["seconds"]["readings"].size(), 6U);
+  ASSERT_EQ(partial["kernels"].size(), 1U);
+  partial["kernels"][0]["seconds"]["readings"] = {1.5, 2.5};
+  write("m.json", partial.dump());
+  ASSERT_EQ(call(again), 0) << err_;
+  const nlohmann::json resumed = nlohmann::json::parse(read("m.json"));
+  EXPECT_EQ(resumed["step"], partial["step"]);
+  const auto readings = resumed["kernels"][0]["seconds"]["readings"];
+  ASSERT_EQ(readings.size(), 6U);
+  EXPECT_EQ(readings[1], 2.5);
+
+  // Enough of them that Ctrl-C comes before the last: no reading, or some.
+  EXPECT_EQ(call_and_interrupt(with({"1000000000"})), interrupted_status) << err_;
+  EXPECT_THAT(err_, HasSubstr("interrupted"));
 }
 
 }  // namespace

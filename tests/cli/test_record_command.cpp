@@ -1,5 +1,6 @@
 // `warpgrain record` as it is called: as a program of its own, for the layer goes into another.
 
+#include <csignal>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -7,9 +8,11 @@
 #include <gtest/gtest.h>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "cli/record_settings.hpp"
 #include "command_fixture.hpp"
 #include "profiler/subprocess.hpp"
 
@@ -38,6 +41,34 @@ class Record : public CommandTest {
     out_ = result.output;
     err_ = result.errors;
     return result.exit_status;
+  }
+
+  // In a group of its own, as a terminal has it, which gets SIGINT once `condition` of a shell holds. The
+  // streams of the program go to files.
+  int record_until(const std::string& condition, const std::vector<std::string>& options,
+                   const std::string& times) {
+    std::string command = (build_ / "cli" / "warpgrain").string() + " record";
+    for (const std::string& option : options) command += " " + option;
+    command +=
+        " -- " + program_[0] + " " + program_[1] + " " + times + " >" + path("out") + " 2>" + path("err");
+    const profiler::ProcessResult result =
+        profiler::run_process({"/bin/bash", "-c",
+                               "set -m; " + command + " & until " + condition +
+                                   "; do sleep 0.005; done 2>/dev/null; kill -INT -- -$!; wait $!"});
+    err_ = read("err");
+    return result.exit_status;
+  }
+
+  // The launch files of the folder, and those that its index has: the same, each of which can be profiled.
+  void expect_whole(const std::string& folder) {
+    std::set<std::string> files, whole;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_ / folder))
+      if (entry.path().extension() == ".sim") files.insert(entry.path().filename().string());
+    for (const RecordedLaunch& launch : read_index(folder_ / folder))
+      if (!launch.file.empty()) whole.insert(launch.file);
+    EXPECT_EQ(files, whole);
+    ASSERT_FALSE(whole.empty());
+    EXPECT_EQ(call({"profile", path(folder + "/" + *whole.rbegin()), "--quiet"}), 0) << err_;
   }
 
   std::vector<std::string> kernels(const json& report) const {
@@ -112,6 +143,34 @@ TEST_F(Record, StopsAtItsLimits) {
   record({"--weights", "ptx", "--largest", "1000", "--memory", "0"});
   EXPECT_THAT(err_, HasSubstr("1 launch of scale: not profiled: more than 1000 work-items"));
   EXPECT_THAT(err_, HasSubstr("1 launch of sum_groups: not profiled: recorded buffers may take 0 MiB"));
+}
+
+constexpr int status_of_sigint = 128 + SIGINT;
+
+TEST_F(Record, ProfilesWhatAProgramThatCtrlCEndsHasLaunched) {
+  EXPECT_EQ(record_until("test -s " + path("saved/launch-0003.sim"),
+                         {"--weights", "ptx", "--json", path("r.json"), "--save", path("saved")}, "100000"),
+            status_of_sigint)
+      << err_;
+  expect_whole("saved");
+  const std::size_t recorded = read_index(folder_ / "saved").size();
+  EXPECT_EQ(json::parse(read("r.json")).at("launches").size(), recorded);
+  EXPECT_EQ(read("out"), "") << "the program has come to its end";
+}
+
+// Behind the program's end Ctrl-C is for the simulator.
+TEST_F(Record, KeepsWhatIsSimulatedWhenCtrlCComes) {
+  EXPECT_EQ(record_until("grep -q sum " + path("out"),
+                         {"--weights", "ptx", "--json", path("r.json"), "--save", path("saved"), "--html",
+                          path("r.html")},
+                         "100"),
+            status_of_sigint)
+      << err_;
+  EXPECT_THAT(err_, HasSubstr("not profiled: interrupted"));
+  const json report = json::parse(read("r.json"));
+  EXPECT_LT(report.at("launches").size(), read_index(folder_ / "saved").size());
+  expect_whole("saved");
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "r.html"));
 }
 
 TEST_F(Record, RefusesWhatCannotRun) {

@@ -99,6 +99,11 @@ profiler::LaunchProfile launch(const std::string& kernel) {
   return profile;
 }
 
+std::vector<StateSample> state_samples() {
+  return {{0, 0, 10, 1, 30, 3, {{"force", 1000, 0.4}, {"sort", 1, 0.9}}},
+          {100, 0.1, 20, 4, 40, 7, {{"force", 2000, 0.3}}}};
+}
+
 ModelledParts modelled() {
   ModelledParts parts;
   parts.features = {{"friction", true, true, "tangential forces of some pair"},
@@ -116,7 +121,9 @@ Report report() {
   r.variant = "branchy/cells/cell/fp32/default";
   r.model = modelled();
   r.particles = 16384;
+  r.seed = 7;
   r.step = 4000;
+  r.samples = state_samples();
   r.machine = load_machine("fermi_c2050");
   r.launches[0].ptx.file = "report.ptx";
   r.bed = Bed{.particles = 16384,
@@ -146,6 +153,7 @@ RunReport run() {
   r.backend = "opencl";
   r.device = "pthread-device";
   r.particles = 1000;
+  r.seed = 7;
   r.steps = 50;
   r.time_step = 1e-5;
   r.wall_seconds = 0.25;
@@ -166,6 +174,7 @@ MeasuredReport measured() {
   m.variant = "simple/cells/cell/fp32/default";
   m.model = modelled();
   m.particles = 1000;
+  m.seed = 7;
   m.step = {16, {1e-3, 1.5e-3, 1.25e-3}};
   MeasuredReport::Kernel kernel;
   kernel.kernel = "force";
@@ -187,6 +196,7 @@ SweepIndex sweep() {
   index.command_line = "warpgrain sweep --scene slit --out out";
   index.scene = "slit";
   index.particles = 16384;
+  index.seed = 7;
   index.step = 4000;
   SweepCase done;
   done.variant = "branchy/cells/cell/fp32/default";
@@ -200,6 +210,7 @@ SweepIndex sweep() {
        .seconds_per_step = 0.0123,
        .force_error = ForceErrorReading{1.5e-6, 2.5e-8}},
       {.backend = "simt", .device = "simulator", .steps = 1, .seconds_per_step = {}, .force_error = {}}};
+  done.samples = {{0, 0, 0.5}, {4000, 0.04, 0.25}};
   SweepCase failed;
   failed.variant = "branchy/cells/unsorted/fp32/default";
   failed.axes = {{"contact", "branchy"}, {"search", "cells"}, {"order", "unsorted"}, {"model", "needed"}};

@@ -22,6 +22,8 @@ profiler::Totals totals(std::uint64_t full, std::uint64_t half);
 profiler::LaunchProfile launch(const std::string& kernel);
 
 ModelledParts modelled();
+// Of two states, the second of which has one kernel less.
+std::vector<StateSample> state_samples();
 Report report();  // of two launches of "force" and one of "sort"
 RunReport run();
 MeasuredReport measured();  // a step and its one kernel

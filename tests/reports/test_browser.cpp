@@ -82,7 +82,7 @@ TEST_F(Browser, SweepsAreDrawnFilteredAndSorted) {
     select.selectedIndex = 0;
     select.dispatchEvent(new Event("change"));
     return [charts, rows, cells.length, sorted].join(" ");)");
-  EXPECT_THAT(dom, HasSubstr("data-found=\"2 1 9 true\""));
+  EXPECT_THAT(dom, HasSubstr("data-found=\"3 1 9 true\""));
 }
 
 TEST_F(Browser, ReportsShowTheLanesOfALineThatIsClicked) {
@@ -93,6 +93,26 @@ TEST_F(Browser, ReportsShowTheLanesOfALineThatIsClicked) {
     row.click();
     return [opened, row.nextElementSibling.classList.contains("lanes")].join(" ");)");
   EXPECT_THAT(dom, HasSubstr("data-found=\"true false\""));
+}
+
+TEST_F(Browser, ProfilesDrawTheWayFromFallingToRest) {
+  const std::string dom = dom_after(report_page(sample::report()), R"(
+    const charts = Array.from(document.querySelectorAll("div.chart[data-kind=xy]"));
+    const chart = charts.find(c => c.dataset.title.startsWith("SIMT efficiency of the kernels"));
+    const buttons = Array.from(chart.nextElementSibling.querySelectorAll("button")).map(b => b.textContent).join("");
+    const texts = Array.from(chart.querySelectorAll("svg text")).map(t => t.textContent);
+    return [charts.length, chart.rows.length, chart.rows[2].join("/"), buttons, texts.includes("time [s]")].join(" ");)");
+  EXPECT_THAT(dom, HasSubstr("data-found=\"2 3 force/step 100/0.1/0.3// SVGPNGCSV true\""));
+}
+
+TEST_F(Browser, SweepsDrawEachCaseFromFallingToRest) {
+  SweepIndex sweep = sample::sweep();
+  sweep.cases.push_back(sweep.cases[0]);
+  sweep.cases[2].variant = "other";
+  const std::string dom = dom_after(sweep_page(sweep), R"(
+    const chart = document.querySelector("div.chart[data-kind=xy]");
+    return [chart.rows.length, chart.rows[4].join("/"), chart.querySelectorAll("svg path").length > 3].join(" ");)");
+  EXPECT_THAT(dom, HasSubstr("data-found=\"5 other/step 4,000/0.04/0.25// true\""));
 }
 
 TEST_F(Browser, WhatIfAnswersAreDrawnByWidth) {

@@ -74,6 +74,37 @@ TEST(Pages, SayHeadlineNumbersWithDefinitionsAndNcuNames) {
   EXPECT_THAT(page, HasSubstr("<div class=\"value\">0.812</div>"));
 }
 
+// Every heading of a profile's tables says what its column holds, and those that Nsight Compute counts, too,
+// what it calls them.
+TEST(Pages, HeadingsOfAProfileAreExplained) {
+  const std::string page = report_page(sample::report());
+  EXPECT_THAT(page, Not(HasSubstr("<th>")));
+  EXPECT_THAT(page, Not(HasSubstr("title=\"\"")));
+  const std::size_t source = page.find("<table class=\"source\"");
+  const std::string head = page.substr(source, page.find("</thead>", source) - source);
+  for (const char* key : {"warp_instructions", "active_lanes", "sfu_instructions", "global_load_sectors",
+                          "global_store_sectors"})
+    EXPECT_THAT(head, HasSubstr(std::string(metric(key).ncu_metric)));
+}
+
+TEST(Pages, NameTheSeed) {
+  const std::string seed = "<dt>seed</dt><dd><code>7</code></dd>";
+  for (const std::string& page : {report_page(sample::report()), sweep_page(sample::sweep()),
+                                  paper_page(sample::paper()), accuracy_page(sample::accuracy())})
+    EXPECT_THAT(page, HasSubstr(seed));
+  Report without = sample::report();
+  without.seed.reset();
+  EXPECT_THAT(report_page(without), Not(HasSubstr("<dt>seed</dt>")));
+}
+
+TEST(Pages, ShowTheWayFromFallingToRest) {
+  Report report = sample::report();
+  EXPECT_THAT(report_page(report),
+              AllOf(HasSubstr("<h2>From falling to rest</h2>"), HasSubstr("<td data-v=\"100\">100</td>")));
+  report.samples.clear();
+  EXPECT_THAT(report_page(report), Not(HasSubstr("From falling to rest")));
+}
+
 TEST(Pages, ShadeTheSourceAndLeaveOutWhatMadeNoInstruction) {
   Report report = sample::report();
   for (LaunchReport& launch : report.launches) launch.source.text += std::string(20, '\n');

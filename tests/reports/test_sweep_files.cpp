@@ -47,6 +47,12 @@ TEST(MergedSweeps, RefuseOthersScenesAndOtherCounts) {
   other.particles += 1;
   EXPECT_THAT(refusal({{"a", sample::sweep()}, {"b", other}}), HasSubstr("b: a sweep of "));
   other = sample::sweep();
+  other.seed = 8;
+  EXPECT_THAT(refusal({{"a", sample::sweep()}, {"b", other}}),
+              HasSubstr("of seed 8; expected one of seed 7"));
+  other.seed.reset();  // older than the key
+  EXPECT_EQ(refusal({{"a", sample::sweep()}, {"b", other}}), "");
+  other = sample::sweep();
   other.cases[0].headline->warp_instructions += 1;
   EXPECT_THAT(refusal({{"a", sample::sweep()}, {"b", other}}), HasSubstr("with other counts"));
   EXPECT_EQ(refusal({{"a", sample::sweep()}, {"b", sample::sweep()}}), "");
