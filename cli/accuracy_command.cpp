@@ -18,6 +18,7 @@
 #include "cli/accuracy/divergence_level.hpp"
 #include "cli/accuracy/ensemble_level.hpp"
 #include "cli/accuracy/impact_study.hpp"
+#include "cli/accuracy/options.hpp"
 #include "cli/accuracy/setting.hpp"
 #include "cli/app.hpp"
 #include "cli/common_options.hpp"
@@ -37,49 +38,6 @@ namespace warpgrain::cli {
 namespace {
 
 constexpr std::uint64_t default_particles = 300;
-constexpr std::array<std::string_view, 4> level_names{"force", "collision", "trajectory", "ensemble"};
-constexpr std::array<std::string_view, 3> study_names{"variants", "impacts", "convergence"};
-
-struct AccuracyOptions {
-  SceneOptions scene;
-  std::vector<std::string> axis, levels{level_names.begin(), level_names.begin() + 3};
-  std::vector<double> step_factors{1};
-  bool resume = false;
-  std::uint64_t at_step = 1500, timed_steps = 50, trajectory_steps = 200, seeds = 4;
-  DeviceOptions device;
-  OutputOptions output;
-  std::string cost{reports::cost_names.front()}, machine;
-  std::vector<std::string> measured;
-  std::optional<std::uint64_t> cost_particles;
-  std::string study = "variants", html;
-  bool markdown = false, simulate = false;
-
-  bool has(std::string_view level) const { return std::ranges::find(levels, level) != levels.end(); }
-};
-
-void require_sensible_options(const AccuracyOptions& options) {
-  for (const std::string& level : options.levels)
-    if (std::ranges::find(level_names, level) == level_names.end())
-      throw_unknown_name("--level", "level", level, level_names);
-  if (std::ranges::find(study_names, options.study) == study_names.end())
-    throw_unknown_name("--study", "study", options.study, study_names);
-  if (std::ranges::find(reports::cost_names, options.cost) == reports::cost_names.end())
-    throw_unknown_name("--cost", "cost", options.cost, reports::cost_names);
-  if (options.cost == "predicted_seconds" && options.machine.empty())
-    throw_input_error("--cost", "predicted_seconds without --machine", "a machine to predict for");
-  if (options.cost == "measured_seconds" && options.measured.empty())
-    throw_input_error("--cost", "measured_seconds without --measured", "documents of `warpgrain measure`");
-  if (!options.html.empty() && options.study != study_names.front())
-    throw_input_error("--html", fmt::format("the study of {}", options.study),
-                      fmt::format("that of {}", study_names.front()));
-  for (const double factor : options.step_factors)
-    if (!(factor >= 0.01 && factor <= 100))
-      throw_input_error("--step-factor", fmt::format("{}", factor), "0.01 to 100");
-  if (options.seeds < 1 || options.seeds > 100)
-    throw_input_error("--seeds", fmt::format("{}", options.seeds), "1 to 100");
-  if (options.trajectory_steps == 0 || options.trajectory_steps > 1'000'000)
-    throw_input_error("--trajectory-steps", fmt::format("{}", options.trajectory_steps), "1 to 1000000");
-}
 
 std::vector<AccuracyCase> cases_of(const AccuracyOptions& options, const std::vector<Variant>& by_default) {
   const std::vector<Variant> variants = options.axis.empty() ? by_default : swept_variants(options.axis);
@@ -265,7 +223,7 @@ int tables_of_study(const AccuracyOptions& options) {
 
 int accuracy(const AccuracyOptions& options) {
   require_sensible_options(options);
-  if (options.study != study_names.front()) return tables_of_study(options);
+  if (options.study != variants_study) return tables_of_study(options);
   const InterruptWatch watch;
   AccuracyStudy study(options);
   if (options.resume) study.resume(options.output.json);

@@ -97,9 +97,17 @@ std::string front_chart(const AccuracyReport& report, const std::vector<Criterio
       chart);
 }
 
+// A variant's name, where there is little room.
+html::Cell broken_at_slashes(std::string_view name) {
+  std::string text;
+  for (const char c : html::escape(name)) text.append(1, c).append(c == '/' ? "<wbr/>" : "");
+  return {fmt::format("<span class=\"mono wrap\">{}</span>", text), {}, {}};
+}
+
 std::string cases_table(const AccuracyReport& report, const std::vector<Criterion>& criteria) {
-  std::vector<html::Table::Column> columns{{"variant", "", true},
-                                           {"on", "the back end that errors are from", true}};
+  std::vector<html::Table::Column> columns{
+      {"variant", "with its time step in the scene's, where that is another", true},
+      {"on", "the back end that errors are from", true}};
   for (const Criterion& criterion : criteria) columns.push_back({criterion.name, criterion.explanation});
   columns.push_back(
       {"dominated by",
@@ -115,7 +123,7 @@ std::string cases_table(const AccuracyReport& report, const std::vector<Criterio
       cell.sort_by = value;
       cells.push_back(cell);
     }
-    cells.push_back(html::text_cell(row.dominated_by.value_or("")));
+    cells.push_back(broken_at_slashes(row.dominated_by.value_or("")));
     table.add_row(cells);
   }
   return "<h2>Every case</h2>\n" + table.html();
@@ -155,13 +163,14 @@ std::string ensembles(const AccuracyReport& report) {
       "intervals. The dashed line is the reference's mean.</p>\n",
       report.seeds);
   for (const html::IntervalChart& chart : charts) html += html::interval_chart(chart.value, chart);
-  html::Table table({{"variant", "", true},
-                     {"quantity", "", true},
-                     {"mean", "over the seeds"},
-                     {"interval", "half the 95 % interval"},
-                     {"difference", "of the mean from the reference's"},
-                     {"its interval", "half the 95 % interval"},
-                     {"significant", "", true}});
+  html::Table table(
+      {{"variant", "the case", true},
+       {"quantity", "a mean over time and grains of one box", true},
+       {"mean", "over the seeds"},
+       {"interval", "half the 95 % interval"},
+       {"difference", "of the mean from the reference's"},
+       {"its interval", "half the 95 % interval"},
+       {"significant", "whether the difference is beyond what the seeds explain, by Welch's test", true}});
   const auto number = [](const std::optional<double>& value) {
     html::Cell cell = html::text_cell(value ? fmt::format("{:.4g}", *value) : "-");
     cell.sort_by = value;

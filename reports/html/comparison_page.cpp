@@ -34,8 +34,8 @@ std::string explanation_of(const std::string& key) {
 }
 
 std::string differences_html(const Comparison& comparison) {
-  html::Table table({{"kernel", "", true},
-                     {"metric", "", true},
+  html::Table table({{"kernel", "matched by name, its launches together", true},
+                     {"metric", "point at one for its definition", true},
                      {comparison.base, "the first document, or what was measured"},
                      {comparison.other, "the second document, or the report beside it"},
                      {"difference", "second / first - 1"}});
@@ -80,7 +80,7 @@ std::string order_summary(const OrderComparison& order) {
 }
 
 std::string order_html(const OrderComparison& order) {
-  html::Table table({{"variant", "", true},
+  html::Table table({{"variant", "the value of each axis", true},
                      {"warp instructions", html::explanation(metric("warp_instructions"))},
                      {"predicted step", "by the cost model, on the machine of the sweep"},
                      {"measured step", "median of the readings"},

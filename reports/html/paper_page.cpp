@@ -28,30 +28,28 @@ std::string name_with_unit(const Row& row) {
   return row.unit.empty() ? row.quantity : fmt::format("{} [{}]", row.quantity, row.unit);
 }
 
-html::Cell wrapped(std::string_view text) {
-  return {fmt::format("<span class=\"wrap\">{}</span>", html::escape(text)), {}, {}};
-}
-
 // The first measured value, and the others below it.
 html::Cell measured_cell(const Row& row) {
-  html::Cell cell = row.measured.empty() ? html::text_cell("-") : paper_cell(row.measured[0].value);
-  for (std::size_t k = 0; k < row.measured.size(); ++k) {
-    if (k > 0) cell.html += "<br/>" + paper_cell(row.measured[k].value).html;
-    cell.html += fmt::format(" <span class=\"soft wrap\">{}</span>", html::escape(row.measured[k].on));
-  }
+  if (row.measured.empty()) return html::text_cell("-");
+  html::Cell cell = paper_cell(row.measured[0].value);
+  cell.html.clear();
+  for (const PaperReport::Measured& measured : row.measured)
+    cell.html += fmt::format("<span class=\"wrap\">{} <span class=\"soft\">{}</span></span>{}",
+                             paper_cell(measured.value).html, html::escape(measured.on),
+                             &measured == &row.measured.back() ? "" : "<br/>");
   return cell;
 }
 
 html::Table section_table(const std::vector<const Row*>& rows) {
-  html::Table table({{"quantity", "", true},
+  html::Table table({{"quantity", "in brackets its unit; without one a ratio or a count", true},
                      {"paper", "as the paper has it"},
                      {"model", "the paper's formula, computed"},
                      {"simulated", "counted by the simulator"},
                      {"measured", "on a real device", true},
-                     {"remark", "", true}});
+                     {"remark", "what the values are, where that is not plain", true}});
   for (const Row* row : rows)
     table.add_row({html::text_cell(name_with_unit(*row)), paper_cell(row->paper), paper_cell(row->model),
-                   paper_cell(row->simulated), measured_cell(*row), wrapped(row->remark)});
+                   paper_cell(row->simulated), measured_cell(*row), html::wrapped_cell(row->remark)});
   return table;
 }
 
@@ -97,7 +95,7 @@ std::string paths_html(const PaperReport& report) {
                      {"branches", "conditional ones of the body"},
                      {"paths allowed", "2 to the number of branches"},
                      {"paths taken", "different ones that lanes took"},
-                     {"passes of lanes", ""},
+                     {"passes of lanes", "how often lanes went through the body"},
                      {"share of instructions", "of all that lanes ran"}});
   for (const PaperReport::Paths& paths : report.paths)
     table.add_row(

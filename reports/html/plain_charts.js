@@ -69,7 +69,9 @@
       xAxis: { type: data.log ? "log" : "value", scale: data.log, name: data.value, axisLabel: { color: shades.soft, formatter: short, hideOverlap: true } },
       yAxis: { type: "category", inverse: true, data: data.names, splitLine: { show: false },
                axisLabel: { color: shades.ink, width: 340, overflow: "truncate", interval: 0 } },
-      legend: { show: data.series.length > 1, textStyle: { color: shades.soft }, type: "scroll", top: 0, left: 0, right: 0 },
+      // A series keeps its colour from chart to chart, and has no entry where it has no value.
+      legend: { show: data.series.length > 1, textStyle: { color: shades.soft }, type: "scroll", top: 0, left: 0, right: 0,
+                data: data.series.filter(function (s) { return s.values.some(function (v) { return v !== null; }); }).map(function (s) { return s.name; }) },
       tooltip: { trigger: "item", confine: true, formatter: function (p) {
         return "<b>" + escaped(p.name) + "</b><br/>" + (data.series.length > 1 ? escaped(p.seriesName) + " " : "") + number(data.log ? p.value[0] : p.value) + " " + escaped(data.value);
       } },

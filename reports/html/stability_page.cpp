@@ -25,7 +25,8 @@ html::Cell heat_cell(const StabilityReport::Probe& probe, const StabilityReport:
 }
 
 html::Table heat_map(const StabilityReport& report) {
-  std::vector<html::Table::Column> columns{{"variant", "", true}, {"back end", "", true}};
+  std::vector<html::Table::Column> columns{{"variant", "what was probed", true},
+                                           {"back end", "where it was", true}};
   for (const StabilityReport::Probe& probe : report.probes)
     columns.push_back({probe.name, fmt::format("{}; {} from {:.3g} to {:.3g} {}", probe.summary,
                                                probe.parameter, probe.from, probe.to, probe.unit)});
@@ -52,7 +53,7 @@ html::Table heat_map(const StabilityReport& report) {
 std::string stability_page(const StabilityReport& report) {
   std::string body = fmt::format(
       "<h1>Where each variant stops being right</h1>\n<p class=\"soft\">How far each parameter can go; the "
-      "darker, the sooner it fails. Point at a cell for what happens there, at a heading for the "
+      "stronger the shade, the sooner it fails. Point at a cell for what happens there, at a heading for the "
       "probe.</p>\n{}<h2>Probes</h2>\n<dl>\n",
       heat_map(report).html());
   for (const StabilityReport::Probe& probe : report.probes)

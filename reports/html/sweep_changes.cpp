@@ -61,7 +61,7 @@ std::string sweep_changes(const SweepIndex& index, const SweepIndex& baseline) {
     return std::ranges::none_of(
         shared, [&](const auto& pair) { return change_of(column, *pair.first, *pair.second).has_value(); });
   });
-  std::vector<Table::Column> headings{{"variant", "", true}};
+  std::vector<Table::Column> headings{{"variant", "of both sweeps", true}};
   for (const SweepColumn& column : columns)
     headings.push_back(
         {std::string(column.heading), fmt::format("{}; change from the baseline", column.explanation)});

@@ -11,6 +11,10 @@ namespace warpgrain::reports::html {
 
 Cell text_cell(std::string_view text) { return {escape(text), {}, {}}; }
 
+Cell wrapped_cell(std::string_view text) {
+  return {fmt::format("<span class=\"wrap\">{}</span>", escape(text)), {}, {}};
+}
+
 Cell count_cell(std::uint64_t count) { return {count_text(count), static_cast<double>(count), {}}; }
 
 Cell number_cell(double value, int decimals) { return {fixed_text(value, decimals), value, {}}; }

@@ -17,7 +17,8 @@ struct Cell {
   std::optional<double> heat;     // 0 to 1: shade of the background
 };
 
-Cell text_cell(std::string_view text);  // escaped
+Cell text_cell(std::string_view text);     // escaped
+Cell wrapped_cell(std::string_view text);  // the same, on several lines where it is long
 Cell count_cell(std::uint64_t count);
 Cell number_cell(double value, int decimals);
 Cell share_cell(double part, double whole);                     // a percentage and a bar

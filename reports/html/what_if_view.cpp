@@ -45,8 +45,12 @@ std::string what_if_view(const KernelSummary& kernel) {
   for (const profiler::WhatIfTotals& answer : kernel.counters.what_if)
     table.add_row(row_of(answer, kernel.counters.totals));
   std::string html =
-      fmt::format("<h3>What if</h3>\n<p>The run: {} lanes a warp, {}, threads as launched.</p>\n{}",
-                  kernel.counters.warp_width, escape(kernel.counters.policy), table.html());
+      fmt::format("<h3>What if</h3>\n<p>The run: {} lanes a warp, {}, threads as launched.{}</p>\n{}",
+                  kernel.counters.warp_width, escape(kernel.counters.policy),
+                  kernel.counters.weights.sass
+                      ? " Its instructions are those of the machine code, those of the answers the PTX's."
+                      : "",
+                  table.html());
   html += what_if_chart(kernel.counters);
   for (const std::string& remark : remarks_of(kernel.counters.what_if))
     html += fmt::format("<p class=\"soft\">{}</p>\n", escape(remark));

@@ -139,6 +139,13 @@ TEST(Pages, ShowBasicBlocksAndTheMachine) {
                           HasSubstr("report.ptx")));
 }
 
+TEST(Pages, PredictTimesOnMachinesWithConstants) {
+  Report report = sample::report();
+  EXPECT_THAT(report_page(report), Not(HasSubstr("Predicted time")));
+  report.machine = load_machine("hopper_h100");
+  EXPECT_THAT(report_page(report), HasSubstr("Predicted time of all launches: "));
+}
+
 TEST(Pages, ShowLinesOfNoSource) {
   Report report = sample::report();
   report.launches.resize(1);
