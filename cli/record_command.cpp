@@ -59,13 +59,16 @@ reports::Report report_of(const RecordedProfiles& profiles, const std::optional<
   return report;
 }
 
-// The summary goes to stderr: stdout is the program's.
+// The summary goes to stderr: stdout is the program's. There are no documents of nothing.
 void write(const reports::Report& report, const RecordedProfiles& profiles, const RecordOptions& options) {
-  if (!options.output.json.empty()) write_output(options.output.json, reports::report_json(report));
-  if (!options.html.empty()) write_output(options.html, reports::report_page(report));
-  if (!options.output.quiet && !report.launches.empty()) std::cerr << '\n' << reports::text_report(report);
+  const bool has_launches = !report.launches.empty();
+  if (has_launches && !options.output.json.empty())
+    write_output(options.output.json, reports::report_json(report));
+  if (has_launches && !options.html.empty()) write_output(options.html, reports::report_page(report));
+  if (has_launches && !options.output.quiet) std::cerr << '\n' << reports::text_report(report);
   for (const std::string& line : profiles.remarks) std::cerr << "warpgrain record: " << line << '\n';
-  if (report.launches.empty()) std::cerr << "warpgrain record: no launch of a kernel was profiled\n";
+  if (!has_launches)
+    std::cerr << "warpgrain record: no launch of a kernel was profiled; no report is written\n";
 }
 
 int record(RecordOptions options) {

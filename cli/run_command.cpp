@@ -133,9 +133,10 @@ int run(const RunOptions& options) {
     report.energy.push_back({step, static_cast<double>(step) * scene.time_step, energy.kinetic_translational,
                              energy.kinetic_rotational, energy.gravitational,
                              energy.elastic_normal + energy.elastic_tangential});
-    if (!options.vtk_folder.empty())
-      reports::write_vtk_particles(
-          std::filesystem::path(options.vtk_folder) / fmt::format("particles_{:09}.vtp", step), state);
+    if (options.vtk_folder.empty()) return;
+    const std::filesystem::path folder = options.vtk_folder;
+    reports::write_vtk_contacts(folder / fmt::format("contacts_{:09}.vtp", step), scene, state);
+    reports::write_vtk_particles(folder / fmt::format("particles_{:09}.vtp", step), state);
   };
   Progress progress(options.output.quiet);
   const InterruptWatch watch;

@@ -113,6 +113,7 @@ def record(warpgrain, options, command):
     """The report, the rows of its kernels, and the row of its cost."""
     words = shlex.split(command)
     name = " ".join([os.path.basename(words[0]), *(os.path.basename(w) for w in words[1:])])
+    name = name.partition(" --core ")[0]  # behind it only where darktable keeps its things
     name = f"`{name}`" + (f" ({options})" if options else "")
     with tempfile.TemporaryDirectory() as folder:
         if os.path.exists(f"{EXAMPLES}/noisyImage.jpg"):
