@@ -1,6 +1,7 @@
 #include "profiler/subprocess.hpp"
 
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
 #include <fstream>
@@ -33,6 +34,26 @@ class FileActions {
   posix_spawn_file_actions_t actions_;
 };
 
+// In the group of this process, so that the terminal's Ctrl-C ends both; in one of its own where this process
+// has a handler for that and wants what it is at to finish.
+class SpawnAttributes {
+ public:
+  SpawnAttributes() {
+    posix_spawnattr_init(&attributes_);
+    struct sigaction action = {};
+    sigaction(SIGINT, nullptr, &action);
+    if (action.sa_handler != SIG_DFL && action.sa_handler != SIG_IGN)
+      posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP);
+  }
+  ~SpawnAttributes() { posix_spawnattr_destroy(&attributes_); }
+  SpawnAttributes(const SpawnAttributes&) = delete;
+  SpawnAttributes& operator=(const SpawnAttributes&) = delete;
+  const posix_spawnattr_t* get() const { return &attributes_; }
+
+ private:
+  posix_spawnattr_t attributes_;
+};
+
 }  // namespace
 
 TemporaryFolder::TemporaryFolder() {
@@ -59,8 +80,9 @@ ProcessResult run_process(const std::vector<std::string>& arguments) {
   argv.reserve(arguments.size() + 1);
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
+  const SpawnAttributes attributes;
   pid_t process = 0;
-  if (const int error = posix_spawn(&process, argv[0], actions.get(), nullptr, argv.data(), environ))
+  if (const int error = posix_spawn(&process, argv[0], actions.get(), attributes.get(), argv.data(), environ))
     fail(error, arguments[0]);
   int status = 0;
   while (waitpid(process, &status, 0) < 0)

@@ -26,7 +26,8 @@ struct ProcessResult {
   std::string errors;   // stderr
 };
 
-// Runs a program to its end, without a shell. Throws std::system_error when it cannot be started.
+// Runs a program to its end, without a shell. Where this process handles SIGINT, a Ctrl-C in the terminal
+// does not reach the program. Throws std::system_error when it cannot be started.
 ProcessResult run_process(const std::vector<std::string>& arguments);
 
 // The file of that name in the folders of PATH; empty when there is none.
