@@ -8,7 +8,7 @@ namespace warpgrain::reports::html {
 namespace {
 
 // Pixels of the drawing; the page scales it.
-constexpr double width = 760, height = 190, left = 46, top = 10, bottom = 34;
+constexpr double width = 760, height = 190, left = 54, top = 10, bottom = 34;
 constexpr double plot_width = width - left - 6, plot_height = height - top - bottom;
 
 std::string grid_line(double share, double largest) {

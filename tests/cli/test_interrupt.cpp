@@ -60,6 +60,7 @@ TEST_F(Interrupt, EndsARunThatKeepsWhatItHas) {
   EXPECT_THAT(out_, HasSubstr("; interrupted"));
   EXPECT_THAT(read("run.json"), HasSubstr("\"ended_by\": \"interrupted\""));
   EXPECT_TRUE(std::filesystem::exists(folder_ / "kept/state.csv"));
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "vtk/contacts_000000000.vtp"));
 }
 
 // In two parts or in one, the host takes the same steps.

@@ -58,6 +58,25 @@ TEST_F(Cuda, MeasureGivesTimesDumpsAndAgreement) {
   EXPECT_EQ(reports::measured_json(measured), read("m.json"));
 }
 
+// What Ctrl-C leaves has fewer readings and no agreement.
+TEST_F(Cuda, MeasureTakesTheReadingsThatAreLeft) {
+  const std::vector<std::string> words{"measure", write_launch(), "--repeats",   "5",
+                                       "--check", "--json",       path("m.json")};
+  std::vector<std::string> again = words;
+  again.push_back("--resume");
+  ASSERT_EQ(call(words), 0) << err_;
+  reports::MeasuredReport partial = reports::read_measured(path("m.json"));
+  partial.kernels[0].seconds = {1.5, 2.5};
+  partial.kernels[0].agreement.clear();
+  write("m.json", reports::measured_json(partial));
+  ASSERT_EQ(call(again), 0) << err_;
+  EXPECT_THAT(out_, HasSubstr("out[2] = 10\n"));
+  const reports::MeasuredReport resumed = reports::read_measured(path("m.json"));
+  ASSERT_EQ(resumed.kernels[0].seconds.size(), 5u);
+  EXPECT_EQ(resumed.kernels[0].seconds[1], 2.5);
+  EXPECT_EQ(resumed.kernels[0].agreement.size(), 2u);
+}
+
 TEST_F(Cuda, ExportedLaunchesRunAlike) {
   ASSERT_EQ(call({"profile", write_launch(), "--export", path("out")}), 0) << err_;
   const std::string simulated = out_.substr(0, out_.find("\n\n", 10));
