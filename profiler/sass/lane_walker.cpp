@@ -1,5 +1,7 @@
 #include "profiler/sass/lane_walker.hpp"
 
+#include <algorithm>
+
 #include "profiler/control_flow.hpp"
 #include "profiler/sass/division_routine.hpp"
 #include "profiler/sass/reached_blocks.hpp"
@@ -29,6 +31,15 @@ LaneWalker::LaneWalker(const ReplayPlan& plan, const PtxDecisions& decisions, Re
   for (const Node& node : plan.nodes) {
     if (node.rule == Rule::decision) follows_[node.decision] = true;
     record_of_.push_back(node.rule == Rule::path ? paths_.record_of(node.line) : no_record);
+  }
+  for (const Node& node : plan.nodes) {
+    Step& step = steps_.emplace_back();
+    if (node.rule != Rule::decision) continue;
+    step = {node.decision,
+            {node.next.node, node.taken.node},
+            {&node.next, &node.taken},
+            node.taken_way,
+            {!node.next.events.empty(), !node.taken.events.empty()}};
   }
   note_folded(decisions);
 }
@@ -66,7 +77,7 @@ std::uint32_t LaneWalker::index_of(const Node& node) const {
 
 // These three are for every step of every lane.
 inline void LaneWalker::choose(std::uint32_t way, Choices& choices) const {
-  choices.push_back({static_cast<std::uint16_t>(way), static_cast<std::uint32_t>(trace_ - begin_)});
+  choices.add(way, static_cast<std::uint32_t>(trace_ - begin_));
 }
 
 inline bool LaneWalker::take_decision(const Node& node) {
@@ -98,6 +109,47 @@ inline void LaneWalker::pass(const Way& way) {
   }
 }
 
+const Way* LaneWalker::take_decisions(const Way* way, std::size_t& steps, std::size_t budget,
+                                      Choices& choices) {
+  // Members are copied so that they stay in registers.
+  const Step* const all = steps_.data();
+  const Run* const runs = runs_.data();
+  const BlockIndex* trace = trace_;
+  std::uint32_t at = way->node;
+  const Choices::Room room = choices.room();
+  const std::size_t most = std::min(room.count, budget - steps);
+  std::size_t n = 0;
+  for (; n < most && all[at].decision != no_decision; ++n) {
+    const Step& step = all[at];
+    // The usual case: nothing but blocks without a decision stands before it.
+    const BlockIndex* entry = trace;
+    while (*entry != trace_end && runs[*entry].decision == no_decision) ++entry;
+    std::uint32_t taken = 0;
+    if (*entry != trace_end && runs[*entry].decision == step.decision) {
+      trace = entry + 1;
+      // No branch: which way lanes go cannot be foretold.
+      const std::uint32_t went = *trace == runs[*entry].first_way ? 0 : 1;
+      taken = 1 ^ went ^ step.taken_way;
+    } else {
+      trace_ = trace;
+      taken = take_decision(plan_.nodes[at]) ? 1 : 0;
+      trace = trace_;
+    }
+    room.ways[n] = static_cast<std::uint16_t>(taken);
+    if (room.entries != nullptr) room.entries[n] = static_cast<std::uint32_t>(trace - begin_);
+    if (step.has_events[taken]) {
+      trace_ = trace;  // from here trips are counted
+      pass(*step.way[taken]);
+    }
+    way = step.way[taken];
+    at = step.node[taken];
+  }
+  trace_ = trace;
+  steps += n;
+  choices.added(n);
+  return way;
+}
+
 void LaneWalker::walk(const LaneTrace& lane, Choices& choices) {
   const BlockIndex* const trace = lane.blocks;
   begin_ = trace_ = trace;
@@ -108,19 +160,18 @@ void LaneWalker::walk(const LaneTrace& lane, Choices& choices) {
   const Way* way = &plan_.entry;
   // A lane that takes no guard it should may go round and round.
   std::size_t steps = 0, budget = 1024;
-  for (;; ++steps) {
-    if (steps == budget) {
+  for (;;) {
+    if (steps >= budget) {
       if (budget != 1024) break;
       for (const BlockIndex* entry = trace; *entry != trace_end; ++entry) budget += 64;
-      if (steps == budget) break;
+      if (steps >= budget) break;
     }
+    way = take_decisions(way, steps, budget, choices);
     const Node& node = plan_.nodes[way->node];
+    if (steps >= budget || node.rule == Rule::decision) continue;  // no room left, or too many
+    ++steps;
     bool taken = false;
     switch (node.rule) {
-      case Rule::decision:
-        taken = take_decision(node);
-        choose(taken ? 1 : 0, choices);
-        break;
       case Rule::trips:
         taken = take_trips(node);
         choose(taken ? 1 : 0, choices);
@@ -144,6 +195,7 @@ void LaneWalker::walk(const LaneTrace& lane, Choices& choices) {
         choose(taken ? 1 : 0, choices);
         break;
       case Rule::together:
+      case Rule::decision:  // has been taken
         break;
       case Rule::indirect: {
         const std::uint32_t entry = take_indirect(node);

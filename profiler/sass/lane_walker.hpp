@@ -1,6 +1,7 @@
 #pragma once
 // A lane's way through the machine code, from its trace.
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -13,11 +14,46 @@ namespace warpgrain::profiler::sass {
 
 // What a lane chose at each node of its way, in order: at guards whose rule is decision, trips or unknown 1
 // if it took the guard, else 0; at indirect branches the entry of the table. Other nodes leave no choice.
-struct Choice {
-  std::uint16_t way = 0;
-  std::uint32_t entries = 0;  // of the trace that the lane has left behind then
+class Choices {
+ public:
+  static constexpr std::uint16_t none = 0xFFFF;  // behind the last one of a lane
+
+  explicit Choices(bool with_entries) : with_entries_(with_entries) {}
+
+  std::size_t size() const { return size_; }
+  const std::uint16_t* ways() const { return ways_.data(); }
+  // How many entries of its trace the lane had left behind when it chose, by place in ways(); kept only if
+  // that was asked for.
+  std::uint32_t entries(std::size_t choice) const { return entries_[choice]; }
+  void clear() { size_ = 0; }
+  void add(std::uint32_t way, std::uint32_t left_behind) {
+    const Room at = room();
+    at.ways[0] = static_cast<std::uint16_t>(way);
+    if (at.entries != nullptr) at.entries[0] = left_behind;
+    ++size_;
+  }
+  // Where the next ones go; `count` is at least 1. They are not there before added(): for loops that add many.
+  struct Room {
+    std::uint16_t* ways;
+    std::uint32_t* entries;  // null: not kept
+    std::size_t count;
+  };
+  Room room() {
+    if (size_ == ways_.size()) grow();
+    return {ways_.data() + size_, with_entries_ ? entries_.data() + size_ : nullptr, ways_.size() - size_};
+  }
+  void added(std::size_t count) { size_ += count; }
+
+ private:
+  void grow() {
+    ways_.resize(2 * size_ + 1024);
+    if (with_entries_) entries_.resize(ways_.size());
+  }
+  bool with_entries_;
+  std::vector<std::uint16_t> ways_;
+  std::vector<std::uint32_t> entries_;
+  std::size_t size_ = 0;
 };
-using Choices = std::vector<Choice>;
 
 // One a thread.
 class LaneWalker {
@@ -34,7 +70,18 @@ class LaneWalker {
     std::uint32_t first_way = no_code;     // the block to which the first way of the decision goes
   };
 
+  // A node that asks for a decision, as small as walking takes: most steps are of these.
+  struct Step {
+    std::uint32_t decision = no_decision;           // none: the node has another rule
+    std::array<std::uint32_t, 2> node{};            // that follows where the lane does not take the guard, or does
+    std::array<const Way*, 2> way{};                // the same
+    std::uint32_t taken_way = 0;
+    std::array<bool, 2> has_events{};
+  };
+
   void choose(std::uint32_t way, Choices& choices) const;
+  // Takes one decision after another as long as they are in the trace; the way to the first other node.
+  const Way* take_decisions(const Way* way, std::size_t& steps, std::size_t budget, Choices& choices);
   void note_folded(const PtxDecisions& decisions);
   bool take_decision(const Node& node);
   bool take_trips(const Node& node);
@@ -45,6 +92,7 @@ class LaneWalker {
 
   const ReplayPlan& plan_;
   ReplayCounters& counters_;
+  std::vector<Step> steps_;             // [nodes]
   std::vector<Run> runs_;               // [blocks of the PTX]
   std::vector<std::uint32_t> run_end_;  // [blocks of the PTX]: the block with the decision
   std::vector<bool> has_guard_;         // [decisions]: some guard or table stands for it

@@ -23,17 +23,24 @@ RequestCounter::RequestCounter(const MemorySites& sites, const PtxDecisions& dec
       queues_(std::size_t{sites.n_queues} * 32),
       taken_(sites.streams.size() * 32) {
   for (std::uint32_t b = 0; b < sites.of_access.size(); ++b) {
-    Run& run = runs_.emplace_back();
+    Run run;
+    run.first_push = static_cast<std::uint32_t>(pushes_.size());
     decisions.for_run(b, [&](std::uint32_t on_run) {
       for (const MemorySites::QueueEntry& entry : sites.queues_of[on_run])
-        run.pushes.push_back({entry.queue, run.n_addresses + entry.first});
+        pushes_.push_back({entry.queue, run.n_addresses + entry.first});
       run.n_addresses += static_cast<std::uint32_t>(sites.of_access[on_run].size());
     });
+    run.last_push = static_cast<std::uint32_t>(pushes_.size());
+    runs_.push_back(run);
   }
   for (const std::vector<MemorySite>& of_block : sites.of_block)
     needs_ahead_.push_back(std::ranges::any_of(of_block, [&](const MemorySite& site) {
       return site.guarded || !sites.streams[site.stream].without_site.empty();
     }));
+}
+
+bool RequestCounter::ever_needs_ahead() const {
+  return std::ranges::find(needs_ahead_, true) != needs_ahead_.end();
 }
 
 void RequestCounter::begin_warp(std::span<const LaneTrace> lanes) {
@@ -47,24 +54,35 @@ void RequestCounter::begin_warp(std::span<const LaneTrace> lanes) {
 }
 
 void RequestCounter::add_lane(std::uint32_t lane, const LaneTrace& trace) {
-  const std::uint64_t* addresses = trace.addresses;
-  std::uint32_t entry = 0;
+  traced_[lane] = trace.addresses;
+  // Members are copied so that they stay in registers.
+  const Run* const runs = runs_.data();
+  const Push* const pushes = pushes_.data();
+  std::vector<Noted>* const queues = queues_.data() + lane;
+  std::uint32_t address = 0, entry = 0;
   for (const BlockIndex* block = trace.blocks; *block != trace_end; ++block, ++entry) {
-    const Run& run = runs_[*block];
-    for (const Push& push : run.pushes)
-      queues_[push.queue * 32 + lane].push_back({addresses + push.offset, entry});
-    addresses += run.n_addresses;
+    const Run run = runs[*block];
+    for (std::uint32_t p = run.first_push; p < run.last_push; ++p)
+      queues[std::size_t{pushes[p].queue} * 32].push_back({address + pushes[p].offset, entry});
+    address += run.n_addresses;
   }
 }
 
-inline std::uint64_t RequestCounter::take_next(std::uint32_t stream, std::uint32_t lane) {
-  const Noted* chosen = next(stream, lane);
-  if (chosen == nullptr) {
-    ++counters_.unmatched[stream];
-    return no_address;
+// Adds the next address of each lane.
+inline void RequestCounter::take_next(std::uint32_t stream, std::uint32_t lanes,
+                                      std::array<std::uint64_t, 32>& addresses, std::size_t& n) {
+  const std::vector<Noted>* const queues = &queues_[sites_.streams[stream].queue * 32];
+  std::uint32_t* const taken = &taken_[stream * 32];
+  const std::uint32_t offset = sites_.streams[stream].offset;
+  for (std::uint32_t left = lanes; left != 0; left &= left - 1) {
+    const auto lane = static_cast<std::uint32_t>(std::countr_zero(left));
+    if (taken[lane] == queues[lane].size()) {
+      ++counters_.unmatched[stream];
+      continue;
+    }
+    addresses[n] = traced_[lane][queues[lane][taken[lane]++].address + offset];
+    n += addresses[n] != no_address ? 1 : 0;
   }
-  ++taken_[stream * 32 + lane];
-  return chosen->addresses[sites_.streams[stream].offset];
 }
 
 // The lane's next access at the site, of the stream itself or of one that shares its instruction.
@@ -81,7 +99,10 @@ std::uint64_t RequestCounter::take(const MemorySite& site, std::uint32_t lane, s
     }
   if (site.guarded && (chosen == nullptr || chosen->entry >= ahead)) return no_address;
   if (from != site.stream) ++counters_.borrowed[from];
-  return take_next(chosen == nullptr ? site.stream : from, lane);
+  std::array<std::uint64_t, 32> address{};
+  std::size_t n = 0;
+  take_next(chosen == nullptr ? site.stream : from, 1U << lane, address, n);
+  return n == 0 ? no_address : address[0];
 }
 
 void RequestCounter::count(std::uint32_t block, std::uint32_t lanes,
@@ -92,10 +113,14 @@ void RequestCounter::count(std::uint32_t block, std::uint32_t lanes,
     std::size_t n = 0;
     const AccessStream& stream = sites_.streams[site.stream];
     const bool simple = !site.guarded && stream.without_site.empty();
-    for (std::uint32_t left = lanes; left != 0; left &= left - 1) {
-      const auto lane = static_cast<std::uint32_t>(std::countr_zero(left));
-      addresses[n] = simple ? take_next(site.stream, lane) : take(site, lane, ahead[lane]);
-      n += addresses[n] != no_address ? 1 : 0;
+    if (simple) {
+      take_next(site.stream, lanes, addresses, n);
+    } else {
+      for (std::uint32_t left = lanes; left != 0; left &= left - 1) {
+        const auto lane = static_cast<std::uint32_t>(std::countr_zero(left));
+        addresses[n] = take(site, lane, ahead[lane]);
+        n += addresses[n] != no_address ? 1 : 0;
+      }
     }
     count_request(counters_.requests[site.stream], std::span(addresses).first(n), stream.bytes);
   }

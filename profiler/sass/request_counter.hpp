@@ -38,18 +38,19 @@ class RequestCounter {
   // when it makes its next choice; an access under a predicate that comes later is not of this block.
   void count(std::uint32_t block, std::uint32_t lanes, const std::array<std::uint32_t, 32>& ahead);
   bool needs_ahead(std::uint32_t block) const { return needs_ahead_[block]; }
+  bool ever_needs_ahead() const;
   void end_warp();
 
  private:
-  struct Noted {
-    const std::uint64_t* addresses;  // of the accesses of a block
-    std::uint32_t entry;             // of the trace
+  struct Noted {            // small: a warp's are to stay in the nearest cache
+    std::uint32_t address;  // where the addresses of a block begin among the lane's
+    std::uint32_t entry;    // of the trace
   };
   struct Push {  // what a run of blocks adds to a queue
     std::uint32_t queue, offset;
   };
   struct Run {
-    std::vector<Push> pushes;
+    std::uint32_t first_push = 0, last_push = 0;
     std::uint32_t n_addresses = 0;
   };
   // The lane's next access of a stream; null if there is none.
@@ -59,14 +60,17 @@ class RequestCounter {
     return at == queue.size() ? nullptr : &queue[at];
   }
   void add_lane(std::uint32_t lane, const LaneTrace& trace);
-  std::uint64_t take_next(std::uint32_t stream, std::uint32_t lane);
+  void take_next(std::uint32_t stream, std::uint32_t lanes, std::array<std::uint64_t, 32>& addresses,
+                 std::size_t& n);
   std::uint64_t take(const MemorySite& site, std::uint32_t lane, std::uint32_t ahead);
 
   const MemorySites& sites_;
   RequestCounters& counters_;
   std::vector<bool> needs_ahead_;           // [blocks of the code]
   std::vector<Run> runs_;                   // [blocks of the PTX]: of a run from there
-  std::vector<std::vector<Noted>> queues_;  // [queues][32]
+  std::vector<Push> pushes_;                // of the runs, one after another
+  std::array<const std::uint64_t*, 32> traced_{};  // the lanes' addresses
+  std::vector<std::vector<Noted>> queues_;         // [queues][32]
   bool has_addresses_ = false;
   std::vector<std::uint32_t> taken_;  // [streams][32]: how many of the queue have been
 };

@@ -21,27 +21,27 @@ class Replayer final : public WarpReplayer {
         counters_(counters),
         walker_(plan, decisions, counters),
         requests_(plan.memory, decisions, counters.requests),
-        groups_(code, counters) {}
+        groups_(code, counters),
+        choices_(requests_.ever_needs_ahead()) {}
 
   void replay(std::span<const LaneTrace> lanes) override {
     Mask alive = 0;
     choices_.clear();
-    std::array<std::size_t, replayed_warp_width> begins{}, ends{};
+    std::array<std::size_t, replayed_warp_width> begins{};
     const std::uint64_t out_of_step = counters_.out_of_step;
     for (std::uint32_t lane = 0; lane < lanes.size(); ++lane) {
       if (lanes[lane].blocks == nullptr) continue;
       alive |= Mask{1} << lane;
       begins[lane] = choices_.size();
       walker_.walk(lanes[lane], choices_);
-      ends[lane] = choices_.size();
+      choices_.add(Choices::none, trace_all);
     }
     if (alive == 0) return;
     ++counters_.warps;
     // What has no end for one of its lanes has none for the warp.
     if (counters_.out_of_step != out_of_step) return;
     for_lanes(alive, [&](std::uint32_t lane) {
-      next_choice_[lane] = choices_.data() + begins[lane];
-      last_choice_[lane] = choices_.data() + ends[lane];
+      next_choice_[lane] = choices_.ways() + begins[lane];
     });
     requests_.begin_warp(lanes);
     lost_ = false;
@@ -62,7 +62,7 @@ class Replayer final : public WarpReplayer {
 
   // The lane's next choice. A lane without one has lost its way: the warp is not followed any further.
   std::uint16_t choose(std::uint32_t lane) {
-    if (next_choice_[lane] != last_choice_[lane]) return next_choice_[lane]++->way;
+    if (*next_choice_[lane] != Choices::none) return *next_choice_[lane]++;
     if (!lost_) ++counters_.out_of_step;
     lost_ = true;
     return 0;
@@ -121,7 +121,7 @@ class Replayer final : public WarpReplayer {
   void count_requests(const WarpGroup& group) {
     std::array<std::uint32_t, replayed_warp_width> ahead{};
     const auto left_behind = [&](std::uint32_t lane) {
-      ahead[lane] = next_choice_[lane] == last_choice_[lane] ? trace_all : next_choice_[lane]->entries;
+      ahead[lane] = choices_.entries(static_cast<std::size_t>(next_choice_[lane] - choices_.ways()));
     };
     if (requests_.needs_ahead(group.block)) for_lanes(group.lanes, left_behind);
     requests_.count(group.block, group.lanes, ahead);
@@ -252,7 +252,7 @@ class Replayer final : public WarpReplayer {
   RequestCounter requests_;
   WarpGroups groups_;
   Choices choices_;  // of the warp's lanes, one after another
-  std::array<const Choice*, replayed_warp_width> next_choice_{}, last_choice_{};
+  std::array<const std::uint16_t*, replayed_warp_width> next_choice_{};
   bool lost_ = false;  // the replay and the lanes' traces have parted
   std::vector<Frame> frames_;
 };
