@@ -32,7 +32,8 @@ class Choices {
     if (at.entries != nullptr) at.entries[0] = left_behind;
     ++size_;
   }
-  // Where the next ones go; `count` is at least 1. They are not there before added(): for loops that add many.
+  // Where the next ones go; `count` is at least 1. They are not there before added(): for loops that add
+  // many.
   struct Room {
     std::uint16_t* ways;
     std::uint32_t* entries;  // null: not kept
@@ -72,9 +73,9 @@ class LaneWalker {
 
   // A node that asks for a decision, as small as walking takes: most steps are of these.
   struct Step {
-    std::uint32_t decision = no_decision;           // none: the node has another rule
-    std::array<std::uint32_t, 2> node{};            // that follows where the lane does not take the guard, or does
-    std::array<const Way*, 2> way{};                // the same
+    std::uint32_t decision = no_decision;  // none: the node has another rule
+    std::array<std::uint32_t, 2> node{};   // that follows where the lane does not take the guard, or does
+    std::array<const Way*, 2> way{};       // the same
     std::uint32_t taken_way = 0;
     std::array<bool, 2> has_events{};
   };

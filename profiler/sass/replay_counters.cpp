@@ -31,6 +31,7 @@ void ReplayCounters::add(const ReplayCounters& other) {
   out_of_step += other.out_of_step;
   stuck += other.stuck;
   requests.add(other.requests);
+  turns_assumed += other.turns_assumed;
   fast_paths += other.fast_paths;
 }
 

@@ -32,8 +32,7 @@ struct ReplayCounters {
 
   std::uint64_t warps = 0;
   std::vector<std::uint64_t> block_executions;  // [blocks of the code][warp_width + 1], by active lanes
-  // The same of the last instruction of each block, where it was issued again: an indirect branch for the
-  // lanes that are left after each way, a BSYNC whose group is let go by others that leave.
+  // The same of indirect branches that are issued again for the lanes that are left after each way.
   std::vector<std::uint64_t> issued_again;
   std::vector<std::uint64_t> divergent;    // [blocks of the code]: executions whose lanes went different ways
   std::vector<std::uint64_t> taken_lanes;  // [blocks of the code]: lanes that took the guard
@@ -42,6 +41,7 @@ struct ReplayCounters {
   std::uint64_t out_of_step = 0;               // lanes whose trace and way through the code do not fit
   std::uint64_t stuck = 0;                     // meetings that lanes were expected at that could not come
   RequestCounters requests;
+  std::uint64_t turns_assumed = 0;  // groups chosen by the rule of YIELD, which is known in part
   std::uint64_t fast_paths = 0;  // choices of lanes that were taken not to need a routine for rare operands
 };
 

@@ -66,9 +66,9 @@ class RequestCounter {
 
   const MemorySites& sites_;
   RequestCounters& counters_;
-  std::vector<bool> needs_ahead_;           // [blocks of the code]
-  std::vector<Run> runs_;                   // [blocks of the PTX]: of a run from there
-  std::vector<Push> pushes_;                // of the runs, one after another
+  std::vector<bool> needs_ahead_;                  // [blocks of the code]
+  std::vector<Run> runs_;                          // [blocks of the PTX]: of a run from there
+  std::vector<Push> pushes_;                       // of the runs, one after another
   std::array<const std::uint64_t*, 32> traced_{};  // the lanes' addresses
   std::vector<std::vector<Noted>> queues_;         // [queues][32]
   bool has_addresses_ = false;

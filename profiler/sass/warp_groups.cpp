@@ -2,9 +2,21 @@
 
 #include <algorithm>
 #include <bit>
+#include <tuple>
 #include <utility>
 
 namespace warpgrain::profiler::sass {
+namespace {
+
+bool is_same_place(const WarpGroup& a, const WarpGroup& b) {
+  return a.block == b.block && a.stand == b.stand && a.frame == b.frame;
+}
+
+std::uint32_t lowest_lane(const WarpGroup& group) {
+  return static_cast<std::uint32_t>(std::countr_zero(group.lanes));
+}
+
+}  // namespace
 
 WarpGroups::WarpGroups(const CodeGraph& code, ReplayCounters& counters)
     : code_(code), counters_(counters), partings_(counters.lane_slots_lost) {}
@@ -12,40 +24,46 @@ WarpGroups::WarpGroups(const CodeGraph& code, ReplayCounters& counters)
 void WarpGroups::begin(Mask lanes) {
   alive_ = lanes;
   yielded_lanes_ = 0;
+  next_lane_ = 0;
+  any_chosen_ = false;
   barriers_.clear();
-  ready_.push_back({lanes, 0, no_frame, partings_.root(counters_.never_used(), ~lanes)});
+  turn_ = WarpGroup{lanes, 0, no_frame, partings_.root(counters_.never_used(), ~lanes)};
 }
 
 bool WarpGroups::next(WarpGroup& group) {
-  if (ready_.empty() && !resume() && !release_any()) {
-    if (waiting_.empty()) return false;
-    force_release();
+  if (turn_) {
+    group = *std::exchange(turn_, std::nullopt);
+    return true;
   }
-  group = ready_.back();
-  ready_.pop_back();
+  if (choose(group)) return true;
+  if (waiting_.empty()) return false;
+  force(group);
   return true;
 }
 
 void WarpGroups::give_up() {
-  for (std::vector<WarpGroup>* groups : {&ready_, &waiting_, &yielded_}) {
+  for (std::vector<WarpGroup>* groups : {&standing_, &waiting_, &yielded_}) {
     for (const WarpGroup& group : *groups) partings_.release(group.node);
     groups->clear();
   }
+  for (std::optional<WarpGroup>* group : {&turn_, &put_off_})
+    if (*group) partings_.release(std::exchange(*group, std::nullopt)->node);
+}
+
+void WarpGroups::put_off(const WarpGroup& group) {
+  if (put_off_) standing_.push_back(*put_off_);
+  put_off_ = group;
 }
 
 void WarpGroups::end(const WarpGroup& group) {
   alive_ &= ~group.lanes;
   partings_.release(group.node);
-  if (!waiting_.empty()) release_any();
 }
 
 void WarpGroups::act(const MaskAction& action, Mask lanes) {
   switch (action.flow) {
     case Flow::open:
       barriers_.at(action.barrier, lanes) |= lanes;
-      break;
-    case Flow::leave:
-      if (action.lanes == MaskAction::Lanes::all) leave(action.barrier, lanes);
       break;
     case Flow::save:
       barriers_.save(action.barrier, lanes);
@@ -59,24 +77,66 @@ void WarpGroups::act(const MaskAction& action, Mask lanes) {
 }
 
 void WarpGroups::leave(std::uint8_t barrier, Mask lanes) {
-  if (lanes == 0) return;
-  barriers_.at(barrier, lanes) &= ~lanes;
-  left_ = true;
+  if (lanes != 0) barriers_.at(barrier, lanes) &= ~lanes;
 }
 
-void WarpGroups::end_leaving() {
-  if (left_ && !waiting_.empty()) release_any();
-  left_ = false;
+bool WarpGroups::gives_way(const WarpGroup& group) {
+  const auto let_go =
+      std::ranges::find_if(waiting_, [&](const WarpGroup& waiting) { return can_pass(waiting); });
+  if (let_go == waiting_.end()) return false;
+  const WarpGroup released = *let_go;
+  waiting_.erase(let_go);
+  if (std::popcount(released.lanes) >= std::popcount(group.lanes)) {
+    put_off(released);
+    return false;
+  }
+  put_off(group);
+  turn_ = released;
+  return true;
 }
 
-bool WarpGroups::meet(const WarpGroup& group, std::uint8_t barrier) {
-  if (comes_alone(group, barrier)) return true;
-  waiting_.push_back(group);
-  release_any();
-  return false;
+bool WarpGroups::is_known(const WarpGroup& group, std::uint8_t barrier) const {
+  return (barriers_.at(barrier, group.lanes) & group.lanes) != 0;
 }
 
-bool WarpGroups::meet_warp(const WarpGroup& group) {
+// The lanes that a meeting of the group waits for.
+Mask WarpGroups::missing_at(const WarpGroup& group, std::uint8_t barrier) const {
+  Mask missing = barriers_.at(barrier, group.lanes) & alive_ & ~yielded_lanes_ & ~group.lanes;
+  for (const WarpGroup& other : waiting_) {
+    const CodeBlock& block = code_.blocks[other.block];
+    if (block.end == End::meet && block.barrier == barrier &&
+        barriers_.is_same(barrier, other.lanes, group.lanes))
+      missing &= ~other.lanes;
+  }
+  return missing;
+}
+
+bool WarpGroups::can_pass(const WarpGroup& group) const {
+  const CodeBlock& block = code_.blocks[group.block];
+  if (block.end == End::warp_meet) return group.lanes == alive_;
+  return !is_known(group, block.barrier) || missing_at(group, block.barrier) == 0;
+}
+
+void WarpGroups::join_those_at(std::vector<WarpGroup>& groups, WarpGroup& group) {
+  std::erase_if(groups, [&](const WarpGroup& other) {
+    if (!is_same_place(other, group)) return false;
+    group.node = partings_.join(group.node, other.node, group.lanes | other.lanes);
+    group.lanes |= other.lanes;
+    return true;
+  });
+}
+
+bool WarpGroups::meet(WarpGroup& group, std::uint8_t barrier) {
+  if (!is_known(group, barrier)) return true;
+  const bool all_here = missing_at(group, barrier) == 0;
+  if (all_here) barriers_.at(barrier, group.lanes) = 0;
+  join_those_at(waiting_, group);
+  if (!all_here) waiting_.push_back(group);
+  return all_here;
+}
+
+bool WarpGroups::meet_warp(WarpGroup& group) {
+  join_those_at(waiting_, group);
   if (group.lanes == alive_) return true;
   waiting_.push_back(group);
   return false;
@@ -85,122 +145,80 @@ bool WarpGroups::meet_warp(const WarpGroup& group) {
 bool WarpGroups::yield(const WarpGroup& group) {
   if (group.lanes == alive_) return false;
   yielded_lanes_ |= group.lanes;
+  WarpGroup other;
+  if (!choose(other)) {
+    yielded_lanes_ &= ~group.lanes;
+    return false;
+  }
+  ++counters_.turns_assumed;
+  turn_ = other;
   yielded_.push_back(group);
   return true;
 }
 
-// Groups that have yielded go on, those at one place together. Whether there were any.
-bool WarpGroups::resume() {
-  if (yielded_.empty()) return false;
-  yielded_lanes_ = 0;
-  for (const WarpGroup& group : yielded_) {
-    const auto same = std::ranges::find_if(ready_, [&](const WarpGroup& other) {
-      return other.block == group.block && other.frame == group.frame;
-    });
-    if (same == ready_.end()) {
-      ready_.push_back(group);
-      continue;
-    }
-    same->lanes |= group.lanes;
-    same->node = partings_.join(same->node, group.node, same->lanes);
-  }
-  yielded_.clear();
-  return true;
-}
-
-void WarpGroups::issue_again(const WarpGroup& group, std::uint32_t block) {
-  const auto n_lanes = static_cast<std::uint32_t>(std::popcount(group.lanes));
-  ++counters_.issued_again[std::size_t{block} * (replayed_warp_width + 1) + n_lanes];
-  partings_.issue(group.node, 1);
-}
-
-// Lanes that a meeting waits for. None for a group that the barrier does not know: it has been emptied
-// while these had yielded.
-Mask WarpGroups::expected(const WarpGroup& group, std::uint8_t barrier) const {
-  const Mask lanes = barriers_.at(barrier, group.lanes);
-  return (lanes & group.lanes) == 0 ? 0 : lanes & alive_ & ~yielded_lanes_;
-}
-
-bool WarpGroups::waits_at(const WarpGroup& other, const WarpGroup& group, std::uint8_t barrier) const {
-  const CodeBlock& block = code_.blocks[other.block];
-  return block.end == End::meet && block.barrier == barrier &&
-         barriers_.is_same(barrier, other.lanes, group.lanes);
-}
-
-// Whether a group goes through a meeting for which it need not wait, and for which nobody waits.
-bool WarpGroups::comes_alone(const WarpGroup& group, std::uint8_t barrier) {
-  if ((barriers_.at(barrier, group.lanes) & group.lanes) == 0) return true;
-  if ((expected(group, barrier) & ~group.lanes) != 0) return false;
-  for (const WarpGroup& other : waiting_)
-    if (waits_at(other, group, barrier)) return false;
-  barriers_.at(barrier, group.lanes) = 0;
-  return true;
-}
-
-// Lets groups go on whose others have all come, ended, left or yielded. Whether there was one.
-bool WarpGroups::release_any() {
-  bool released = false;
-  for (std::size_t k = 0; k < waiting_.size();) {
-    const WarpGroup group = waiting_[k];
-    const CodeBlock& block = code_.blocks[group.block];
-    const bool of_warp = block.end == End::warp_meet;
-    Mask here = 0;
-    for (const WarpGroup& other : waiting_)
-      if (of_warp ? other.block == group.block : waits_at(other, group, block.barrier)) here |= other.lanes;
-    const Mask needed = of_warp ? alive_ : expected(group, block.barrier);
-    if ((needed & ~here) != 0) {
-      ++k;
-      continue;
-    }
-    release(group, of_warp ? alive_ : std::exchange(barriers_.at(block.barrier, group.lanes), 0));
-    released = true;
-    k = 0;
-  }
-  return released;
-}
-
-// Groups at the place of one, in the same call, go on: what they have of the lanes that met as one, and as
-// another what came with these.
-void WarpGroups::release(const WarpGroup& first, Mask lanes) {
-  WarpGroup met{0, code_.blocks[first.block].next, first.frame, 0}, others = met;
-  const auto join = [&](WarpGroup& joined, Mask mask, Partings::Node node) {
-    joined.node = joined.lanes == 0 ? node : partings_.join(joined.node, node, joined.lanes | mask);
-    joined.lanes |= mask;
-  };
-  std::erase_if(waiting_, [&](const WarpGroup& group) {
-    if (group.block != first.block || group.frame != first.frame) return false;
-    if (left_) issue_again(group, group.block);
-    const Mask in = group.lanes & lanes, out = group.lanes & ~lanes;
-    if (in == 0 || out == 0) {
-      join(in != 0 ? met : others, group.lanes, group.node);
-      return true;
-    }
-    ++n_partings_;
-    const std::uint32_t nobody = counters_.never_used();
-    join(met, in, partings_.part(group.node, nobody, out, n_partings_));
-    join(others, out, partings_.part(group.node, nobody, in, n_partings_));
-    partings_.release(group.node);
+bool WarpGroups::choose(WarpGroup& group) {
+  if (put_off_) {
+    group = *std::exchange(put_off_, std::nullopt);
     return true;
-  });
-  if (others.lanes != 0) ready_.push_back(others);
-  if (met.lanes != 0) ready_.push_back(met);
+  }
+  return choose_place(group) || choose_yielded(group);
+}
+
+// The place with the fewest lanes of those that can run from there.
+bool WarpGroups::choose_place(WarpGroup& group) {
+  std::optional<std::tuple<int, std::uint32_t, Stand>> best;
+  const auto consider = [&](const WarpGroup& candidate) {
+    Mask lanes = 0;
+    for (const WarpGroup& other : standing_)
+      if (is_same_place(other, candidate)) lanes |= other.lanes;
+    for (const WarpGroup& other : waiting_)
+      if (is_same_place(other, candidate) && can_pass(other)) lanes |= other.lanes;
+    const std::tuple place(std::popcount(lanes), candidate.block, candidate.stand);
+    if (best && *best <= place) return;
+    best = place;
+    group = candidate;
+  };
+  for (const WarpGroup& candidate : standing_) consider(candidate);
+  for (const WarpGroup& candidate : waiting_)
+    if (can_pass(candidate)) consider(candidate);
+  if (!best) return false;
+  for (std::vector<WarpGroup>* groups : {&standing_, &waiting_}) {
+    const auto itself = std::ranges::find(*groups, group.lanes, &WarpGroup::lanes);
+    if (itself != groups->end()) groups->erase(itself);
+  }
+  join_those_at(standing_, group);
+  join_those_at(waiting_, group);
+  return true;
+}
+
+bool WarpGroups::choose_yielded(WarpGroup& group) {
+  if (yielded_.empty()) return false;
+  ++counters_.turns_assumed;
+  if (!std::exchange(any_chosen_, true)) next_lane_ = lowest_lane(yielded_.front());
+  const auto distance = [&](const WarpGroup& candidate) {
+    return std::countr_zero(std::rotr(candidate.lanes, static_cast<int>(next_lane_)));
+  };
+  const auto chosen = std::ranges::min_element(yielded_, {}, distance);
+  next_lane_ = (next_lane_ + static_cast<std::uint32_t>(distance(*chosen)) + 1) % replayed_warp_width;
+  group = *chosen;
+  yielded_.erase(chosen);
+  join_those_at(yielded_, group);
+  yielded_lanes_ &= ~group.lanes;
+  return true;
 }
 
 // Nobody can go on. WARPSYNC's mask is in a register that the replay does not know: it meets those that
 // have come when no other can.
-void WarpGroups::force_release() {
-  std::size_t chosen = waiting_.size();
-  for (std::size_t k = 0; k < waiting_.size(); ++k) {
-    if (code_.blocks[waiting_[k].block].end != End::warp_meet) continue;
-    if (chosen == waiting_.size() || waiting_[k].block < waiting_[chosen].block) chosen = k;
-  }
-  if (chosen == waiting_.size()) {
-    ++counters_.stuck;
-    chosen = 0;
-    for (std::size_t k = 1; k < waiting_.size(); ++k)
-      if (waiting_[k].block < waiting_[chosen].block) chosen = k;
-  }
-  release(WarpGroup(waiting_[chosen]), ~Mask{0});
+void WarpGroups::force(WarpGroup& group) {
+  const auto order = [&](const WarpGroup& waiting) {
+    return std::pair(code_.blocks[waiting.block].end != End::warp_meet, waiting.block);
+  };
+  const auto chosen = std::ranges::min_element(waiting_, {}, order);
+  if (order(*chosen).first) ++counters_.stuck;
+  group = *chosen;
+  waiting_.erase(chosen);
+  join_those_at(waiting_, group);
+  group.block = code_.blocks[group.block].next;
 }
 
 }  // namespace warpgrain::profiler::sass

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <bit>
+#include <utility>
 #include <vector>
 
 #include "profiler/sass/lane_mask.hpp"
@@ -40,9 +41,7 @@ class Replayer final : public WarpReplayer {
     ++counters_.warps;
     // What has no end for one of its lanes has none for the warp.
     if (counters_.out_of_step != out_of_step) return;
-    for_lanes(alive, [&](std::uint32_t lane) {
-      next_choice_[lane] = choices_.ways() + begins[lane];
-    });
+    for_lanes(alive, [&](std::uint32_t lane) { next_choice_[lane] = choices_.ways() + begins[lane]; });
     requests_.begin_warp(lanes);
     lost_ = false;
     frames_.clear();
@@ -60,26 +59,23 @@ class Replayer final : public WarpReplayer {
     std::uint32_t returns_to, caller;
   };
 
-  // The lane's next choice. A lane without one has lost its way: the warp is not followed any further.
-  std::uint16_t choose(std::uint32_t lane) {
-    if (*next_choice_[lane] != Choices::none) return *next_choice_[lane]++;
+  // The lane's next choice, which stays its next until it has taken it. A lane without one has lost its way:
+  // the warp is not followed any further.
+  std::uint16_t choice_of(std::uint32_t lane) {
+    const std::uint16_t way = *next_choice_[lane];
+    if (way != Choices::none) return way;
     if (!lost_) ++counters_.out_of_step;
     lost_ = true;
     return 0;
   }
 
-  // Runs a group until it waits, parts or ends.
+  // Runs a group until it waits, lets another run or ends.
   void run(WarpGroup group) {
-    const auto n_lanes = static_cast<std::uint32_t>(std::popcount(group.lanes));
     for (;;) {
       if (lost_) return groups_.partings().release(group.node);
       if (group.block == no_code) return groups_.end(group);
       const CodeBlock& block = code_.blocks[group.block];
-      ++counters_.block_executions[std::size_t{group.block} * (replayed_warp_width + 1) + n_lanes];
-      groups_.partings().issue(group.node, block.last - block.first);
-      if (!plan_.memory.of_block[group.block].empty()) count_requests(group);
-      for (const MaskAction& action : block.actions) groups_.act(action, group.lanes);
-      groups_.end_leaving();
+      if (!issue(group, block)) return;
       switch (block.end) {
         case End::next:
           group.block = block.next;
@@ -112,10 +108,42 @@ class Replayer final : public WarpReplayer {
           if (!pass_guard(group, block)) return;
           break;
         case End::indirect:
-          if (!pass_table(group)) return;
+          pass_table(group);
           break;
       }
     }
+  }
+
+  // Counts what the group issues of its block and does what that does to barriers. Whether it goes on then.
+  bool issue(WarpGroup& group, const CodeBlock& block) {
+    if (group.stand == Stand::decided) return true;
+    const auto n_lanes = static_cast<std::uint32_t>(std::popcount(group.lanes));
+    const std::size_t place = std::size_t{group.block} * (replayed_warp_width + 1) + n_lanes;
+    if (group.stand == Stand::table) {
+      ++counters_.issued_again[place];
+      groups_.partings().issue(group.node, 1);
+      return true;
+    }
+    if (group.stand == Stand::begin && leave_barriers(group, block)) return false;
+    group.stand = Stand::begin;
+    ++counters_.block_executions[place];
+    groups_.partings().issue(group.node, block.last - block.first);
+    if (!plan_.memory.of_block[group.block].empty()) count_requests(group);
+    for (const MaskAction& action : block.actions) groups_.act(action, group.lanes);
+    return true;
+  }
+
+  // The block's BREAKs under no predicate, which stand at its begin. Whether others run first then.
+  bool leave_barriers(WarpGroup& group, const CodeBlock& block) {
+    bool left = false;
+    for (const MaskAction& action : block.actions)
+      if (action.flow == Flow::leave && action.lanes == MaskAction::Lanes::all) {
+        groups_.leave(action.barrier, group.lanes);
+        left = true;
+      }
+    if (!left) return false;
+    group.stand = Stand::left;
+    return groups_.gives_way(group);
   }
 
   void count_requests(const WarpGroup& group) {
@@ -149,44 +177,57 @@ class Replayer final : public WarpReplayer {
         return 0;
       default: {
         Mask taken = 0;
-        for_lanes(lanes, [&](std::uint32_t lane) { taken |= Mask{choose(lane)} << lane; });
+        for_lanes(lanes, [&](std::uint32_t lane) { taken |= Mask{choice_of(lane)} << lane; });
         return taken;
       }
     }
   }
 
-  // Whether the whole group goes on, where its block says then.
+  // BREAKs of the lanes that take a guard, or of those that do not. Whether others run first then.
+  bool leave_barriers(WarpGroup& group, const CodeBlock& block, Mask taken) {
+    bool left = false;
+    for (const MaskAction& action : block.actions)
+      if (action.flow == Flow::leave && action.lanes != MaskAction::Lanes::all) {
+        groups_.leave(action.barrier,
+                      action.lanes == MaskAction::Lanes::taken ? taken : group.lanes & ~taken);
+        left = true;
+      }
+    if (!left) return false;
+    group.stand = Stand::decided;
+    return groups_.gives_way(group);
+  }
+
+  // Whether the group, or the side of it that runs first, goes on: where its block says then.
   bool pass_guard(WarpGroup& group, const CodeBlock& block) {
     const Node& node = plan_.nodes[plan_.node_of[group.block]];
     const Mask taken = lanes_that_take(node, group.lanes);
     const Mask others = group.lanes & ~taken;
+    if (group.stand == Stand::begin && leave_barriers(group, block, taken)) return false;
+    group.stand = Stand::begin;
+    if (node.rule != Rule::fast_path && node.rule != Rule::together && !lost_)
+      for_lanes(group.lanes, [&](std::uint32_t lane) { ++next_choice_[lane]; });
     counters_.taken_lanes[group.block] += static_cast<std::uint64_t>(std::popcount(taken));
-    for (const MaskAction& action : block.actions)
-      if (action.flow == Flow::leave && action.lanes != MaskAction::Lanes::all)
-        groups_.leave(action.barrier, action.lanes == MaskAction::Lanes::taken ? taken : others);
-    groups_.end_leaving();
     if (taken == 0) {
       group.block = block.next;
       return true;
     }
-    if (others != 0) {
-      ++counters_.divergent[group.block];
-      const std::uint32_t cause = cause_of(node);
-      const std::uint64_t parting = groups_.new_parting();
-      const WarpGroup rest{others, block.next, group.frame,
-                           groups_.partings().part(group.node, cause, taken, parting)};
-      WarpGroup part{taken, group.block, group.frame,
-                     groups_.partings().part(group.node, cause, others, parting)};
-      groups_.partings().release(group.node);
-      // The last one runs first.
-      const bool rest_first = block.guarded == Flow::branch && block.target > group.block &&
-                              std::popcount(others) <= std::popcount(taken);
-      if (!rest_first) groups_.add(rest);
-      if (take(part, block)) groups_.add(part);
-      if (rest_first) groups_.add(rest);
-      return false;
+    if (others == 0) return take(group, block);
+    ++counters_.divergent[group.block];
+    const std::uint32_t cause = cause_of(node);
+    const std::uint64_t parting = groups_.new_parting();
+    const WarpGroup rest{others, block.next, group.frame,
+                         groups_.partings().part(group.node, cause, taken, parting)};
+    WarpGroup part{taken, group.block, group.frame,
+                   groups_.partings().part(group.node, cause, others, parting)};
+    groups_.partings().release(group.node);
+    if (!take(part, block)) {
+      group = rest;
+      return true;
     }
-    return take(group, block);
+    const bool straight_first = std::popcount(others) <= std::popcount(taken);
+    groups_.put_off(straight_first ? part : rest);
+    group = straight_first ? rest : part;
+    return true;
   }
 
   // Does what the lanes do that take a guard; whether they go on.
@@ -212,36 +253,39 @@ class Replayer final : public WarpReplayer {
     return node.cause == no_decision ? counters_.never_used() : decisions_.blocks_of(node.cause)[0];
   }
 
-  bool pass_table(WarpGroup& group) {
+  // Of lanes that go different ways those of one go, and the others issue the branch again: those that go
+  // where the lowest lane goes, if they are no more than the others; else where the lowest of the others
+  // goes.
+  void pass_table(WarpGroup& group) {
     const Node& node = plan_.nodes[plan_.node_of[group.block]];
     const std::vector<std::uint32_t>& table = code_.blocks[group.block].table;
-    std::array<std::uint16_t, replayed_warp_width> chosen{};
-    for_lanes(group.lanes, [&](std::uint32_t lane) { chosen[lane] = choose(lane); });
-    const auto first = static_cast<std::size_t>(std::countr_zero(group.lanes));
-    const auto that_go = [&](Mask lanes, std::uint16_t entry) {
+    const auto that_go_with = [&](Mask first_of) {
+      const std::uint16_t entry = choice_of(static_cast<std::uint32_t>(std::countr_zero(first_of)));
       Mask same = 0;
-      for_lanes(lanes, [&](std::uint32_t lane) { same |= Mask{chosen[lane] == entry} << lane; });
+      for_lanes(group.lanes, [&](std::uint32_t lane) { same |= Mask{choice_of(lane) == entry} << lane; });
       return same;
     };
-    Mask left = group.lanes & ~that_go(group.lanes, chosen[first]);
-    if (left == 0) {
-      group.block = table[chosen[first]];
-      return true;
+    Mask lanes = that_go_with(group.lanes);
+    if (lost_) return;
+    if (const Mask others = group.lanes & ~lanes; std::popcount(lanes) > std::popcount(others) && others != 0)
+      lanes = that_go_with(others);
+    const Mask rest = group.lanes & ~lanes;
+    const std::uint32_t block = group.block;
+    group.block = table[choice_of(static_cast<std::uint32_t>(std::countr_zero(lanes)))];
+    for_lanes(lanes, [&](std::uint32_t lane) { ++next_choice_[lane]; });
+    const Stand stood = std::exchange(group.stand, Stand::begin);
+    if (rest == 0) {
+      if (stood == Stand::table) ++counters_.divergent[block];
+      return;
     }
-    ++counters_.divergent[group.block];
     const std::uint64_t parting = groups_.new_parting();
     const std::uint32_t cause = cause_of(node);
-    for (left = group.lanes; left != 0;) {
-      const std::uint16_t entry = chosen[static_cast<std::size_t>(std::countr_zero(left))];
-      const Mask lanes = that_go(left, entry);
-      left &= ~lanes;
-      WarpGroup part{lanes, table[entry], group.frame,
-                     groups_.partings().part(group.node, cause, group.lanes & ~lanes, parting)};
-      if (left != 0) groups_.issue_again({left, 0, no_frame, group.node}, group.block);
-      groups_.add(part);
-    }
-    groups_.partings().release(group.node);
-    return false;
+    const Partings::Node whole = group.node;
+    groups_.put_off(
+        {rest, block, group.frame, groups_.partings().part(whole, cause, lanes, parting), Stand::table});
+    group.node = groups_.partings().part(whole, cause, rest, parting);
+    group.lanes = lanes;
+    groups_.partings().release(whole);
   }
 
   const CodeGraph& code_;
