@@ -127,11 +127,13 @@ def cell(difference):
     return f"{difference:+.2f} %" if abs(difference) >= 0.005 else f"{difference:+.0e} %"
 
 
-def document(rows, machine, archive):
+def document(rows, machine, archives):
     lines = [
         "# Exactness", "",
-        f"Written by `scripts/exactness.py --write` from [{archive.name}](../{archive.relative_to(ROOT)}): what the replay over",
-        "machine code counts of each launch, beside the hardware counters of", "", "```", *machine, "```", "",
+        "Written by `scripts/exactness.py --write` from " + " and ".join(
+            f"[{archive.name}](../{archive.resolve().relative_to(ROOT)})" for archive in archives) + ": what the replay",
+        "over machine code counts of each launch, beside the hardware counters of", "", "```", *machine, "```", "",
+        "Launches `nvidia_opencl-…` are of PTX that NVIDIA's OpenCL compiler made; `shuffles` is nvcc's, the others clang's.", "",
         "`=` is equal to the last instruction; else the difference in percent of the GPU's count. `-`: not counted.", ""]
     within = [row for row in rows if row.is_within()]
     lines.append(f"* {len(within)} of {len(rows)} launches have warp instructions, thread instructions and SIMT efficiency "
@@ -162,8 +164,9 @@ def document(rows, machine, archive):
 
 
 def measured_rows(arguments, folder):
-    with tarfile.open(arguments.readings) as archive:
-        archive.extractall(folder)
+    for readings in arguments.readings:
+        with tarfile.open(readings) as archive:
+            archive.extractall(folder)
     launches = sorted((folder / "launches").rglob("*.sim"))
     names = ["-".join(launch.relative_to(folder / "launches").with_suffix("").parts) for launch in launches]
     chosen = [(n, l) for n, l in zip(names, launches) if not arguments.names or n in arguments.names]
@@ -204,7 +207,9 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("names", nargs="*", metavar="NAME")
     parser.add_argument("--warpgrain", default=ROOT / "build/release/cli/warpgrain")
-    parser.add_argument("--readings", type=pathlib.Path, default=ROOT / "reports/measured/exactness/h100.tar.xz")
+    measured = ROOT / "reports/measured/exactness"
+    parser.add_argument("--readings", type=pathlib.Path, nargs="+",
+                        default=[measured / "h100.tar.xz", measured / "nvidia_opencl.tar.xz"])
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--write", action="store_true")
     parser.add_argument("--check", action="store_true")
@@ -227,7 +232,7 @@ def main():
             for key, _, _ in METRICS:
                 print(f"  {key:30} {row.gpu.get(key, '-'):>12} {row.ours.get(key, '-'):>12} {cell(row.difference(key)):>10}")
         return
-    text = document(rows, machine, arguments.readings.resolve())
+    text = document(rows, machine, arguments.readings)
     if not arguments.write:
         print(text, end="")
         return

@@ -95,7 +95,8 @@ void decode_flow(const Word& word, unsigned sm, Instruction& i) {
     case 0x150:
       i.flow = Flow::ret;
       break;
-    case 0x155:  // BMOV R, B
+    case 0x155:                          // BMOV R, B
+      if (word.bits(9, 11) == 7) break;  // BMOV B, B: sm_87 clears all barriers at its begin
       i.flow = Flow::save;
       i.barrier = static_cast<std::uint8_t>(word.bits(24, 27));
       i.reg = static_cast<std::uint8_t>(word.bits(16, 23));

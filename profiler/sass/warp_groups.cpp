@@ -35,7 +35,7 @@ bool WarpGroups::next(WarpGroup& group) {
     group = *std::exchange(turn_, std::nullopt);
     return true;
   }
-  if (choose(group)) return true;
+  if (choose(group, nullptr)) return true;
   if (waiting_.empty()) return false;
   force(group);
   return true;
@@ -146,22 +146,23 @@ bool WarpGroups::yield(const WarpGroup& group) {
   if (group.lanes == alive_) return false;
   yielded_lanes_ |= group.lanes;
   WarpGroup other;
-  if (!choose(other)) {
+  if (!choose(other, &group)) {
     yielded_lanes_ &= ~group.lanes;
     return false;
   }
   ++counters_.turns_assumed;
   turn_ = other;
-  yielded_.push_back(group);
   return true;
 }
 
-bool WarpGroups::choose(WarpGroup& group) {
-  if (put_off_) {
+// `yields` is the group that has just yielded, which is put aside unless nobody else is found.
+bool WarpGroups::choose(WarpGroup& group, const WarpGroup* yields) {
+  if (put_off_)
     group = *std::exchange(put_off_, std::nullopt);
-    return true;
-  }
-  return choose_place(group) || choose_yielded(group);
+  else if (!choose_place(group))
+    return choose_yielded(group, yields);
+  if (yields != nullptr) yielded_.push_back(*yields);
+  return true;
 }
 
 // The place with the fewest lanes of those that can run from there.
@@ -191,9 +192,8 @@ bool WarpGroups::choose_place(WarpGroup& group) {
   return true;
 }
 
-bool WarpGroups::choose_yielded(WarpGroup& group) {
+bool WarpGroups::choose_yielded(WarpGroup& group, const WarpGroup* yields) {
   if (yielded_.empty()) return false;
-  ++counters_.turns_assumed;
   if (!std::exchange(any_chosen_, true)) next_lane_ = lowest_lane(yielded_.front());
   const auto distance = [&](const WarpGroup& candidate) {
     return std::countr_zero(std::rotr(candidate.lanes, static_cast<int>(next_lane_)));
@@ -202,6 +202,7 @@ bool WarpGroups::choose_yielded(WarpGroup& group) {
   next_lane_ = (next_lane_ + static_cast<std::uint32_t>(distance(*chosen)) + 1) % replayed_warp_width;
   group = *chosen;
   yielded_.erase(chosen);
+  if (yields != nullptr) yielded_.push_back(*yields);
   join_those_at(yielded_, group);
   yielded_lanes_ &= ~group.lanes;
   return true;

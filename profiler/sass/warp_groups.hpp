@@ -84,9 +84,9 @@ class WarpGroups {
   bool is_known(const WarpGroup& group, std::uint8_t barrier) const;
   Mask missing_at(const WarpGroup& group, std::uint8_t barrier) const;
   bool can_pass(const WarpGroup& group) const;
-  bool choose(WarpGroup& group);
+  bool choose(WarpGroup& group, const WarpGroup* yields);
   bool choose_place(WarpGroup& group);
-  bool choose_yielded(WarpGroup& group);
+  bool choose_yielded(WarpGroup& group, const WarpGroup* yields);
   void join_those_at(std::vector<WarpGroup>& groups, WarpGroup& group);
   void force(WarpGroup& group);
 
