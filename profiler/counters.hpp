@@ -139,6 +139,8 @@ struct WeightsUsed {
   std::uint64_t requests_of_ptx = 0;
   // Of the thread instructions, those under a predicate that nothing in the trace tells.
   std::uint64_t predicates_assumed = 0;
+  // How often YIELD made another group of a warp run, by a rule of the machine that is known in part.
+  std::uint64_t turns_assumed = 0;
   bool operator==(const WeightsUsed&) const = default;
 };
 

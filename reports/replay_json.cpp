@@ -15,6 +15,7 @@ nlohmann::ordered_json to_json(const profiler::WeightsUsed& weights) {
   if (weights.registers != 0) json["registers"] = weights.registers;
   json["fast_paths_assumed"] = weights.fast_paths;
   json["predicates_assumed"] = weights.predicates_assumed;
+  json["turns_assumed"] = weights.turns_assumed;
   json["requests_of_ptx"] = weights.requests_of_ptx;
   return json;
 }
@@ -29,7 +30,8 @@ profiler::WeightsUsed weights_from(const JsonReader& place) {
           .registers = place.has("registers") ? place.at("registers").whole_number() : 0,
           .fast_paths = place.at("fast_paths_assumed").whole_number(),
           .requests_of_ptx = optional_whole_number(place, "requests_of_ptx").value_or(0),
-          .predicates_assumed = optional_whole_number(place, "predicates_assumed").value_or(0)};
+          .predicates_assumed = optional_whole_number(place, "predicates_assumed").value_or(0),
+          .turns_assumed = optional_whole_number(place, "turns_assumed").value_or(0)};
 }
 
 }  // namespace warpgrain::reports

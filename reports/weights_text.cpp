@@ -18,6 +18,9 @@ std::string line_of(const profiler::WeightsUsed& weights) {
   if (weights.predicates_assumed != 0)
     line +=
         fmt::format("; predicates of {} thread instructions assumed", count_text(weights.predicates_assumed));
+  if (weights.turns_assumed != 0)
+    line +=
+        fmt::format("; {} turns of groups of lanes after a YIELD assumed", count_text(weights.turns_assumed));
   if (weights.requests_of_ptx != 0)
     line += fmt::format("; requests of {} accesses are those of the PTX", weights.requests_of_ptx);
   return line;

@@ -86,6 +86,7 @@ void LaunchReplay::finish(const SourceLines& source, const WarpCounters& of_ptx,
     for (std::size_t k = 1; k < threads_.size(); ++k) sum.add(threads_[k].counters);
     used_.underived = sum.unresolved();
     used_.fast_paths = sum.fast_paths;
+    used_.turns_assumed = sum.turns_assumed;
     const std::vector<std::string> found = contradictions(*kernel_, sum, of_ptx);
     if (used_.underived != 0) {
       used_.reason = gaps(*kernel_, sum);

@@ -66,15 +66,19 @@ unsigned architecture_number(std::string_view arch) {
   throw_input_error("--arch", fmt::format("'{}'", arch), fmt::format("sm_{} to sm_{}", first, last));
 }
 
+void require_same_code(const KernelCode& with_lines, const KernelCode& plain, const std::string& kernel) {
+  if (with_lines.text != plain.text)
+    throw_input_error(kernel, "other machine code with lines than without", "the same");
+  if (with_lines.lines.empty()) throw_input_error(kernel, "machine code without lines", "a line table");
+}
+
 std::unique_ptr<MachineKernel> assemble_kernel(const Ptxas& ptxas, std::string_view ptx,
                                                const KernelGraph& graph, std::string_view arch) {
   static CubinCache cache;
   const unsigned number = architecture_number(arch);
   const std::shared_ptr<const Cubins> cubins = cache.get(ptxas, ptx, arch);
   const KernelCode code = read_kernel_code(cubins->with_lines, graph.entry);
-  if (code.text != read_kernel_code(cubins->plain, graph.entry).text)
-    throw_input_error(graph.kernel, "other machine code with lines than without", "the same");
-  if (code.lines.empty()) throw_input_error(graph.kernel, "machine code without lines", "a line table");
+  require_same_code(code, read_kernel_code(cubins->plain, graph.entry), graph.kernel);
   return std::make_unique<MachineKernel>(cut_code(code, number), graph, code.registers);
 }
 

@@ -1,10 +1,9 @@
 #pragma once
 // Replays warps over the machine code's flow of control: which lanes issue which block together.
 //
-// A BSYNC is issued once for each group that comes, and once more for one that BREAK of others lets go; an
-// indirect branch once for each way that some lanes go, by the lanes that are left. So an H100 counts
-// (docs/exactness.md). It also lets groups run on together that happen to come to one place without a BSYNC
-// or a YIELD; that is left out.
+// A BSYNC is issued once for each group that comes, and again with those that wait at it, where others stand
+// there or let them go; an indirect branch once for each way that some lanes go, by the lanes that are left
+// (warp_groups.hpp says which run when). So an H100 counts (docs/exactness.md).
 
 #include <memory>
 #include <span>

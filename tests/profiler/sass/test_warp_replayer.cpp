@@ -49,6 +49,22 @@ TEST_F(WarpReplayerTest, LoopsOfVaryingTripsGoOnUntilTheLongest) {
   EXPECT_EQ(r.warps_at("STG"), 31U);
 }
 
+TEST_F(WarpReplayerTest, TurnsAfterAYieldAreCounted) {
+  // ptxas puts a YIELD into loops that read volatile memory.
+  const ReplayedKernel r = replay(
+      "float x = v; while (x < 31) { x += ((volatile global const int*)in)[0] + 1; out[i + 32 * (int)x] = x; "
+      "}\nout[i] = x;\n");
+  EXPECT_EQ(r.lanes_at("STG"), 31U * 32 / 2 + 32);
+  if (r.warps_at("YIELD") == 0) GTEST_SKIP() << "this ptxas puts none there";
+  EXPECT_GT(r.replay().turns_assumed, 0U);
+}
+
+TEST_F(WarpReplayerTest, NoTurnIsAssumedWithoutAYield) {
+  const ReplayedKernel r = replay("float x = v; while (x < 31) { x += 1; out[i + 32 * (int)x] = x; }\n");
+  EXPECT_EQ(r.warps_at("YIELD"), 0U);
+  EXPECT_EQ(r.replay().turns_assumed, 0U);
+}
+
 TEST_F(WarpReplayerTest, LanesThatBreakWaitBehindTheLoop) {
   const ReplayedKernel r = replay(
       "float s = 0; for (int k = 0; k < 40; ++k) { const float x = out[k * 32 + i]; if (in[k % 32] == v) "
