@@ -11,7 +11,7 @@
 namespace warpgrain::profiler::sass {
 namespace {
 
-KernelCode some_code() {
+KernelCode a_row_of_code() {
   KernelCode code;
   code.text = std::string(32, 'x');
   code.lines = {{0, 7}};
@@ -19,7 +19,7 @@ KernelCode some_code() {
 }
 
 TEST(MachineKernel, LinesMayNotChangeTheCode) {
-  const KernelCode code = some_code();
+  const KernelCode code = a_row_of_code();
   EXPECT_NO_THROW(require_same_code(code, code, "k"));
   KernelCode other = code;
   other.text[17] = 'y';
