@@ -48,8 +48,17 @@ DEVICE_FUNCTION uint cell_number(const StepParameters p, int x, int y, int z) {
 }
 #endif
 
+// The sorted map, for the kernels that find particles through it.
+#if ORDER_CELL
+#define MAP_PARAMETER
+#define MAP_ARGUMENT
+#else
+#define MAP_PARAMETER , GLOBAL const ulong* cell_keys
+#define MAP_ARGUMENT , cell_keys
+#endif
+
 // The particle at a place of the sorted map.
-DEVICE_FUNCTION uint particle_at(uint place, GLOBAL const ulong* cell_keys) {
+DEVICE_FUNCTION uint particle_at(uint place MAP_PARAMETER) {
 #if ORDER_CELL
   return place;
 #else

@@ -114,12 +114,12 @@ DEVICE_FUNCTION void add_to_sum(ForceSum* sum, const ForceSum* added) {
 }
 
 // What the sum of all forces on a particle begins with.
-DEVICE_FUNCTION ForceSum gravity_alone(const StepParameters p, const Particle* particle) {
+DEVICE_FUNCTION ForceSum gravity_alone(const StepParameters p, real mass) {
   ForceSum sum = no_sum();
 #if HAS_GRAVITY
-  sum.force = vector_of(p.gravity) * particle->mass;
+  sum.force = vector_of(p.gravity) * mass;
 #else
-  (void)p, (void)particle;
+  (void)p, (void)mass;
 #endif
   return sum;
 }

@@ -44,6 +44,16 @@ class PlanBuilder {
     if (device_.bytes[first] > 0) target_->push_back(ArraySwap{first, second});
   }
 
+  // MAP_PARAMETER of kernels/grid.h: where the arrays follow the sorted map, nobody asks it.
+  std::vector<DeviceArray> map() const {
+    if (!device_.map_points) return {};
+    return {DeviceArray::cell_keys};
+  }
+  // MASS_PARAMETER of kernels/search/half_shell.cl.
+  std::vector<DeviceArray> masses_for_weight() const {
+    if (!device_.features.model(FeatureId::gravity) || !device_.features.model(FeatureId::masses)) return {};
+    return {DeviceArray::velocity_mass};
+  }
   // PARTICLE_PARAMETERS, SUM_PARAMETERS and MATERIAL_PARAMETER of kernels/ in that unit.
   std::vector<DeviceArray> particles(bool reads_motion) const {
     using enum DeviceArray;

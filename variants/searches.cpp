@@ -11,19 +11,19 @@ namespace {
 using enum DeviceArray;
 
 void plan_cells(PlanBuilder& b) {
-  b.with_history(b.launch(PlanBuilder::pair_unit, "force_between_particles", b.device().n_particles,
-                          cell_keys, cell_ranges, b.particles(b.device().features.read_motion()),
+  b.with_history(b.launch(PlanBuilder::pair_unit, "force_between_particles", b.device().n_particles, b.map(),
+                          cell_ranges, b.particles(b.device().features.read_motion()),
                           b.materials(FeatureId::pair_materials), b.sums(), contact_counts, status));
 }
 
 void plan_with_list(PlanBuilder& b) {
-  b.with_history(b.launch(PlanBuilder::pair_unit, "force_between_particles", b.device().n_particles,
-                          cell_keys, cell_ranges, near, b.particles(b.device().features.read_motion()),
+  b.with_history(b.launch(PlanBuilder::pair_unit, "force_between_particles", b.device().n_particles, b.map(),
+                          cell_ranges, near, b.particles(b.device().features.read_motion()),
                           b.materials(FeatureId::pair_materials), b.sums(), contact_counts, status));
 }
 
 void list_neighbours(PlanBuilder& b) {
-  b.launch(PlanBuilder::pair_unit, "list_neighbours", b.device().n_particles, cell_keys, cell_ranges,
+  b.launch(PlanBuilder::pair_unit, "list_neighbours", b.device().n_particles, b.map(), cell_ranges,
            position_radius, rank_material, near, near_counts, listed_positions, lists_outdated, status);
 }
 void plan_verlet(PlanBuilder& b) {
@@ -36,22 +36,20 @@ void plan_half_shell(PlanBuilder& b) {
   const std::size_t n = b.device().n_particles;
   b.launch(PlanBuilder::pair_unit, "clear_sums", b.device().bytes[fixed_sums] / 8, fixed_sums,
            contact_counts);
-  b.with_history(b.launch(PlanBuilder::pair_unit, "force_of_pairs", n, cell_keys, cell_ranges, near,
+  b.with_history(b.launch(PlanBuilder::pair_unit, "force_of_pairs", n, b.map(), cell_ranges, near,
                           b.particles(b.device().features.read_motion()),
                           b.materials(FeatureId::pair_materials), fixed_sums, contact_counts, status));
-  b.launch(PlanBuilder::pair_unit, "force_of_sums", n, b.particles(b.device().features.read_motion()),
-           fixed_sums, b.sums());
+  b.launch(PlanBuilder::pair_unit, "force_of_sums", n, b.masses_for_weight(), fixed_sums, b.sums());
 }
 
 void list_groups(PlanBuilder& b) {
   b.launch(PlanBuilder::pair_unit, "list_groups", (b.device().n_particles + GROUP_SIZE - 1) / GROUP_SIZE,
-           cell_keys, cell_ranges, position_radius, rank_material, near_groups, near_counts, listed_positions,
+           b.map(), cell_ranges, position_radius, rank_material, near_groups, near_counts, listed_positions,
            lists_outdated, status);
 }
 void plan_cluster(PlanBuilder& b) {
-  b.with_history(b.launch(PlanBuilder::pair_unit, "force_between_particles", b.device().n_particles,
-                          cell_keys, near_groups, near_counts, near,
-                          b.particles(b.device().features.read_motion()),
+  b.with_history(b.launch(PlanBuilder::pair_unit, "force_between_particles", b.device().n_particles, b.map(),
+                          near_groups, near_counts, near, b.particles(b.device().features.read_motion()),
                           b.materials(FeatureId::pair_materials), b.sums(), contact_counts, status));
 }
 
@@ -62,7 +60,7 @@ void plan_warp_per_cell(PlanBuilder& b) {
                              ((n_cells[1] + BLOCK_Y - 1) / BLOCK_Y) * ((n_cells[2] + BLOCK_Z - 1) / BLOCK_Z);
   b.with_history(b.launch_in_groups(
       PlanBuilder::pair_unit, "force_between_particles", blocks * CELL_WORK_GROUP, CELL_WORK_GROUP,
-      b.device().parameters, cell_keys, cell_ranges, near, b.particles(b.device().features.read_motion()),
+      b.device().parameters, b.map(), cell_ranges, near, b.particles(b.device().features.read_motion()),
       b.materials(FeatureId::pair_materials), b.sums(), contact_counts, status));
 }
 

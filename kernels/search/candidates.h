@@ -51,8 +51,8 @@ DEVICE_FUNCTION uint checked_length(uint length, const Particle* particle, GLOBA
 // Lists the other particles whose surface is nearer than `skin`, in the order of the sorted map: entry k of
 // particle i at near[k * n_particles + i], so that a warp's lanes write side by side. Returns how many there
 // are.
-DEVICE_FUNCTION uint list_near(const StepParameters p, uint self, const Particle* particle, real skin,
-                               GLOBAL const ulong* cell_keys, GLOBAL const uint2* cell_ranges,
+DEVICE_FUNCTION uint list_near(const StepParameters p, uint self, const Particle* particle,
+                               real skin MAP_PARAMETER, GLOBAL const uint2* cell_ranges,
                                GLOBAL const Place* position_radius, GLOBAL uint* near, GLOBAL uint* status) {
   uint n_near = 0;
   const Cell cell = cell_at(p, position_radius[self]);
@@ -61,7 +61,7 @@ DEVICE_FUNCTION uint list_near(const StepParameters p, uint self, const Particle
       for (int s = 0; s < STRETCHES; ++s) {
         const uint2 stretch = stretch_from(p, cell.x - 1 + s, y, z, cell_ranges);
         for (uint place = stretch.x; place < stretch.y; ++place) {  // branch: next candidate
-          const uint other = particle_at(place, cell_keys);
+          const uint other = particle_at(place MAP_ARGUMENT);
           const Pair pair = pair_with(particle->place, position_radius[other]);
           const bool is_near = is_within(&pair, skin) && other != self;
           if (is_near && n_near < LIST_SLOTS) {  // branch: near enough

@@ -7,10 +7,9 @@
 #include "particle_access.h"
 #include "prelude.h"
 
-KERNEL void force_between_particles(const StepParameters p, GLOBAL const ulong* cell_keys,
-                                    GLOBAL const uint2* cell_ranges, PARTICLE_PARAMETERS MATERIAL_PARAMETER,
-                                    SUM_PARAMETERS, GLOBAL uint2* contact_counts,
-                                    GLOBAL uint* status HISTORY_PARAMETERS) {
+KERNEL void force_between_particles(const StepParameters p MAP_PARAMETER, GLOBAL const uint2* cell_ranges,
+                                    PARTICLE_PARAMETERS MATERIAL_PARAMETER, SUM_PARAMETERS,
+                                    GLOBAL uint2* contact_counts, GLOBAL uint* status HISTORY_PARAMETERS) {
   const uint self = work_item();
   if (self >= p.n_particles) return;  // branch: beyond the last particle
   const Particles particles = PARTICLES;
@@ -18,7 +17,7 @@ KERNEL void force_between_particles(const StepParameters p, GLOBAL const ulong* 
   const Particle particle = load_particle(p, self, &particles);
   const LawParameters law = LAW_PARAMETERS(p, of_pairs);
   ContactHistory history = HISTORY_OF(self, particle.rank, 0);
-  ForceSum sum = gravity_alone(p, &particle);
+  ForceSum sum = gravity_alone(p, particle.mass);
   uint n_contacts = 0;
 
   const Cell cell = cell_at(p, position_radius[self]);
@@ -27,7 +26,7 @@ KERNEL void force_between_particles(const StepParameters p, GLOBAL const ulong* 
       for (int x = max(cell.x - 1, 0); x <= min(cell.x + 1, (int)p.cells_x - 1); ++x) {  // branch: next cell
         const uint2 range = cell_ranges[cell_number(p, x, y, z)];
         for (uint place = range.x; place < range.y; ++place) {  // branch: next candidate
-          const uint other = particle_at(place, cell_keys);
+          const uint other = particle_at(place MAP_ARGUMENT);
           if (other == self) continue;  // branch: self
           const Pair pair = pair_with(particle.place, position_radius[other]);
           if (touches(&pair)) {  // branch: contact test

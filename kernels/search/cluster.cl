@@ -39,18 +39,17 @@ DEVICE_FUNCTION uint note_particle(const StepParameters p, uint group, uint plac
 }
 
 // A work-item a group.
-KERNEL void list_groups(const StepParameters p, GLOBAL const ulong* cell_keys,
-                        GLOBAL const uint2* cell_ranges, GLOBAL const Place* position_radius,
-                        GLOBAL const Identity* rank_material, GLOBAL uint* near_groups,
-                        GLOBAL uint* near_counts, GLOBAL Place* listed_positions, GLOBAL uint* lists_outdated,
-                        GLOBAL uint* status) {
+KERNEL void list_groups(const StepParameters p MAP_PARAMETER, GLOBAL const uint2* cell_ranges,
+                        GLOBAL const Place* position_radius, GLOBAL const Identity* rank_material,
+                        GLOBAL uint* near_groups, GLOBAL uint* near_counts, GLOBAL Place* listed_positions,
+                        GLOBAL uint* lists_outdated, GLOBAL uint* status) {
   const uint group = work_item();
   if (group == 0) *lists_outdated = 0;
   if (group >= n_groups(p)) return;  // branch: beyond the last group
   uint length = 0;
   const uint end = min((group + 1) * GROUP_SIZE, p.n_particles);
   for (uint member = group * GROUP_SIZE; member < end; ++member) {  // branch: next of group
-    const uint self = particle_at(member, cell_keys);
+    const uint self = particle_at(member MAP_ARGUMENT);
     Particle particle;
     load_place(p, position_radius[self], rank_material[self], &particle);
     listed_positions[self] = position_radius[self];
@@ -60,7 +59,7 @@ KERNEL void list_groups(const StepParameters p, GLOBAL const ulong* cell_keys,
         for (int s = 0; s < STRETCHES; ++s) {
           const uint2 stretch = stretch_from(p, cell.x - 1 + s, y, z, cell_ranges);
           for (uint place = stretch.x; place < stretch.y; ++place) {  // branch: next candidate
-            const Pair pair = pair_with(particle.place, position_radius[particle_at(place, cell_keys)]);
+            const Pair pair = pair_with(particle.place, position_radius[particle_at(place MAP_ARGUMENT)]);
             if (place != member && is_within(&pair, p.skin))  // branch: near enough
               length = note_particle(p, group, place, length, near_groups);
             if (length > GROUP_SLOTS) {  // branch: list full
@@ -75,13 +74,13 @@ KERNEL void list_groups(const StepParameters p, GLOBAL const ulong* cell_keys,
   near_counts[group] = length;
 }
 
-KERNEL void force_between_particles(const StepParameters p, GLOBAL const ulong* cell_keys,
-                                    GLOBAL const uint* near_groups, GLOBAL const uint* near_counts,
-                                    GLOBAL uint* near, PARTICLE_PARAMETERS MATERIAL_PARAMETER, SUM_PARAMETERS,
+KERNEL void force_between_particles(const StepParameters p MAP_PARAMETER, GLOBAL const uint* near_groups,
+                                    GLOBAL const uint* near_counts, GLOBAL uint* near,
+                                    PARTICLE_PARAMETERS MATERIAL_PARAMETER, SUM_PARAMETERS,
                                     GLOBAL uint2* contact_counts, GLOBAL uint* status HISTORY_PARAMETERS) {
   const uint member = work_item();
   if (member >= p.n_particles) return;  // branch: beyond the last particle
-  const uint self = particle_at(member, cell_keys), group = member / GROUP_SIZE;
+  const uint self = particle_at(member MAP_ARGUMENT), group = member / GROUP_SIZE;
   const Particles particles = PARTICLES;
   const Sums sums = SUMS;
   const Particle particle = load_particle(p, self, &particles);
@@ -92,7 +91,7 @@ KERNEL void force_between_particles(const StepParameters p, GLOBAL const ulong* 
     const uint entry = near_groups[k * n_groups(p) + group];
     const uint first = (entry >> GROUP_SIZE) * GROUP_SIZE;
     for (uint bits = entry & 0xFF; bits != 0; bits &= bits - 1) {  // branch: next candidate
-      const uint other = particle_at(first + lowest_bit(bits), cell_keys);
+      const uint other = particle_at(first + lowest_bit(bits) MAP_ARGUMENT);
       const Pair pair = pair_with(particle.place, position_radius[other]);
       const bool is_contact = touches(&pair) && other != self;
       if (is_contact && n_contacts < LIST_SLOTS) {  // branch: near enough
@@ -105,7 +104,7 @@ KERNEL void force_between_particles(const StepParameters p, GLOBAL const ulong* 
 
   const LawParameters law = LAW_PARAMETERS(p, of_pairs);
   ContactHistory history = HISTORY_OF(self, particle.rank, 0);
-  ForceSum sum = gravity_alone(p, &particle);
+  ForceSum sum = gravity_alone(p, particle.mass);
   apply_to_listed(p, self, &particle, n_contacts, near, &particles, &law, &history, &sum);
   store_sum(self, &particles, &sum, n_contacts, &sums, contact_counts, status);
 }

@@ -25,7 +25,7 @@ DEVICE_FUNCTION void add_result(LOCAL_POINTER const real* results, uint item, Fo
 }
 
 KERNEL WORK_GROUP_OF(PARTICLE_WORK_GROUP) void force_between_particles(
-    const StepParameters p, GLOBAL const ulong* cell_keys, GLOBAL const uint2* cell_ranges, GLOBAL uint* near,
+    const StepParameters p MAP_PARAMETER, GLOBAL const uint2* cell_ranges, GLOBAL uint* near,
     PARTICLE_PARAMETERS MATERIAL_PARAMETER, SUM_PARAMETERS, GLOBAL uint2* contact_counts,
     GLOBAL uint* status HISTORY_PARAMETERS) {
   LOCAL uint ends[PARTICLE_WORK_GROUP];
@@ -39,8 +39,8 @@ KERNEL WORK_GROUP_OF(PARTICLE_WORK_GROUP) void force_between_particles(
   if (exists) {  // branch: a particle
     const Particle particle = load_particle(p, self, &particles);
     n_contacts =
-        list_near(p, self, &particle, REAL(0.0), cell_keys, cell_ranges, position_radius, near, status);
-    sum = gravity_alone(p, &particle);
+        list_near(p, self, &particle, REAL(0.0) MAP_ARGUMENT, cell_ranges, position_radius, near, status);
+    sum = gravity_alone(p, particle.mass);
   }
   ends[item] = n_contacts;
   work_group_barrier_all();  // the lists are read by others

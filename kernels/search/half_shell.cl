@@ -15,10 +15,10 @@
 
 // Appends the touching partners of a stretch to the list of `self`.
 DEVICE_FUNCTION uint list_touching(const StepParameters p, uint self, const Particle* particle, uint2 stretch,
-                                   uint n_near, GLOBAL const ulong* cell_keys,
-                                   GLOBAL const Place* position_radius, GLOBAL uint* near) {
+                                   uint n_near MAP_PARAMETER, GLOBAL const Place* position_radius,
+                                   GLOBAL uint* near) {
   for (uint place = stretch.x; place < stretch.y; ++place) {  // branch: next candidate
-    const uint other = particle_at(place, cell_keys);
+    const uint other = particle_at(place MAP_ARGUMENT);
     const Pair pair = pair_with(particle->place, position_radius[other]);
     const bool is_near = touches(&pair);
     if (is_near && n_near < LIST_SLOTS) near[n_near * p.n_particles + self] = other;  // branch: near enough
@@ -64,26 +64,25 @@ KERNEL void clear_sums(const StepParameters p, GLOBAL long* fixed_sums, GLOBAL u
   if (number < 2 * p.n_particles) contact_counts[number] = 0;
 }
 
-KERNEL void force_of_pairs(const StepParameters p, GLOBAL const ulong* cell_keys,
-                           GLOBAL const uint2* cell_ranges, GLOBAL uint* near,
-                           PARTICLE_PARAMETERS MATERIAL_PARAMETER, GLOBAL long* fixed_sums,
+KERNEL void force_of_pairs(const StepParameters p MAP_PARAMETER, GLOBAL const uint2* cell_ranges,
+                           GLOBAL uint* near, PARTICLE_PARAMETERS MATERIAL_PARAMETER, GLOBAL long* fixed_sums,
                            GLOBAL uint* contact_counts, GLOBAL uint* status HISTORY_PARAMETERS) {
   const uint place = work_item();
   if (place >= p.n_particles) return;  // branch: beyond the last particle
-  const uint self = particle_at(place, cell_keys);
+  const uint self = particle_at(place MAP_ARGUMENT);
   const Particles particles = PARTICLES;
   const Particle particle = load_particle(p, self, &particles);
 
   const Cell cell = cell_at(p, position_radius[self]);
   const uint2 own = cell_ranges[cell_number(p, cell.x, cell.y, cell.z)];
   uint n_near =
-      list_touching(p, self, &particle, make_uint2(place + 1, own.y), 0, cell_keys, position_radius, near);
+      list_touching(p, self, &particle, make_uint2(place + 1, own.y), 0 MAP_ARGUMENT, position_radius, near);
   // The 13 cells that come later: beside it along x, the row after its own, and the layer after its own.
   for (int number = 14; number < 27; ++number) {  // branch: next cell
     const int x = cell.x + number % 3 - 1, y = cell.y + number / 3 % 3 - 1, z = cell.z + number / 9 - 1;
     const bool inside = x >= 0 && x < (int)p.cells_x && y >= 0 && y < (int)p.cells_y && z < (int)p.cells_z;
     if (!inside) continue;  // branch: beyond the grid
-    n_near = list_touching(p, self, &particle, cell_ranges[cell_number(p, x, y, z)], n_near, cell_keys,
+    n_near = list_touching(p, self, &particle, cell_ranges[cell_number(p, x, y, z)], n_near MAP_ARGUMENT,
                            position_radius, near);
   }
   if (n_near > LIST_SLOTS) {  // branch: list full
@@ -115,15 +114,22 @@ KERNEL void force_of_pairs(const StepParameters p, GLOBAL const ulong* cell_keys
   add_fixed(fixed_sums, self, &sum, p, particle.rank, status);
 }
 
-KERNEL void force_of_sums(const StepParameters p, PARTICLE_PARAMETERS, GLOBAL const long* fixed_sums,
+// The weight of particles of several masses is all that depends on a particle here.
+#if HAS_GRAVITY && HAS_MASSES
+#define MASS_PARAMETER , GLOBAL const real4* velocity_mass
+#define MASS_OF(particle) velocity_mass[particle].w
+#else
+#define MASS_PARAMETER
+#define MASS_OF(particle) p.mass
+#endif
+
+KERNEL void force_of_sums(const StepParameters p MASS_PARAMETER, GLOBAL const long* fixed_sums,
                           SUM_PARAMETERS) {
   const uint self = work_item();
   if (self >= p.n_particles) return;  // branch: beyond the last particle
-  const Particles particles = PARTICLES;
   const Sums sums = SUMS;
-  const Particle particle = load_particle(p, self, &particles);
   GLOBAL const long* sum = fixed_sums + SUM_REALS * self;
-  ForceSum total = gravity_alone(p, &particle);
+  ForceSum total = gravity_alone(p, MASS_OF(self));
   total.force += quanta_of(sum) * quotient(REAL(1.0), p.quanta_per_force);
 #if HAS_ROTATION
   total.torque = quanta_of(sum + 3) * quotient(REAL(1.0), p.quanta_per_torque);

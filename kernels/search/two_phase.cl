@@ -7,9 +7,8 @@
 #include "prelude.h"
 #include "search/candidates.h"
 
-KERNEL void force_between_particles(const StepParameters p, GLOBAL const ulong* cell_keys,
-                                    GLOBAL const uint2* cell_ranges, GLOBAL uint* near,
-                                    PARTICLE_PARAMETERS MATERIAL_PARAMETER, SUM_PARAMETERS,
+KERNEL void force_between_particles(const StepParameters p MAP_PARAMETER, GLOBAL const uint2* cell_ranges,
+                                    GLOBAL uint* near, PARTICLE_PARAMETERS MATERIAL_PARAMETER, SUM_PARAMETERS,
                                     GLOBAL uint2* contact_counts, GLOBAL uint* status HISTORY_PARAMETERS) {
   const uint self = work_item();
   if (self >= p.n_particles) return;  // branch: beyond the last particle
@@ -17,11 +16,11 @@ KERNEL void force_between_particles(const StepParameters p, GLOBAL const ulong* 
   const Sums sums = SUMS;
   const Particle particle = load_particle(p, self, &particles);
   const uint n_contacts =
-      list_near(p, self, &particle, REAL(0.0), cell_keys, cell_ranges, position_radius, near, status);
+      list_near(p, self, &particle, REAL(0.0) MAP_ARGUMENT, cell_ranges, position_radius, near, status);
 
   const LawParameters law = LAW_PARAMETERS(p, of_pairs);
   ContactHistory history = HISTORY_OF(self, particle.rank, 0);
-  ForceSum sum = gravity_alone(p, &particle);
+  ForceSum sum = gravity_alone(p, particle.mass);
   apply_to_listed(p, self, &particle, n_contacts, near, &particles, &law, &history, &sum);
   store_sum(self, &particles, &sum, n_contacts, &sums, contact_counts, status);
 }

@@ -8,18 +8,17 @@
 #include "prelude.h"
 #include "search/candidates.h"
 
-KERNEL void list_neighbours(const StepParameters p, GLOBAL const ulong* cell_keys,
-                            GLOBAL const uint2* cell_ranges, GLOBAL const Place* position_radius,
-                            GLOBAL const Identity* rank_material, GLOBAL uint* near, GLOBAL uint* near_counts,
-                            GLOBAL Place* listed_positions, GLOBAL uint* lists_outdated,
-                            GLOBAL uint* status) {
+KERNEL void list_neighbours(const StepParameters p MAP_PARAMETER, GLOBAL const uint2* cell_ranges,
+                            GLOBAL const Place* position_radius, GLOBAL const Identity* rank_material,
+                            GLOBAL uint* near, GLOBAL uint* near_counts, GLOBAL Place* listed_positions,
+                            GLOBAL uint* lists_outdated, GLOBAL uint* status) {
   const uint self = work_item();
   if (self == 0) *lists_outdated = 0;
   if (self >= p.n_particles) return;  // branch: beyond the last particle
   Particle particle;
   load_place(p, position_radius[self], rank_material[self], &particle);
   near_counts[self] =
-      list_near(p, self, &particle, p.skin, cell_keys, cell_ranges, position_radius, near, status);
+      list_near(p, self, &particle, p.skin MAP_ARGUMENT, cell_ranges, position_radius, near, status);
   listed_positions[self] = position_radius[self];
 }
 
@@ -36,7 +35,7 @@ KERNEL void force_between_particles(const StepParameters p, GLOBAL const uint* n
   const Particle particle = load_particle(p, self, &particles);
   const LawParameters law = LAW_PARAMETERS(p, of_pairs);
   ContactHistory history = HISTORY_OF(self, particle.rank, 0);
-  ForceSum sum = gravity_alone(p, &particle);
+  ForceSum sum = gravity_alone(p, particle.mass);
   uint n_contacts = 0;
 
   const uint n_near = near_counts[self];

@@ -60,7 +60,7 @@ DEVICE_FUNCTION uint place_of(uint number, LOCAL_POINTER const uint* begins, LOC
 }
 
 KERNEL WORK_GROUP_OF(CELL_WORK_GROUP) void force_between_particles(
-    const StepParameters p, GLOBAL const ulong* cell_keys, GLOBAL const uint2* cell_ranges, GLOBAL uint* near,
+    const StepParameters p MAP_PARAMETER, GLOBAL const uint2* cell_ranges, GLOBAL uint* near,
     PARTICLE_PARAMETERS MATERIAL_PARAMETER, SUM_PARAMETERS, GLOBAL uint2* contact_counts,
     GLOBAL uint* status HISTORY_PARAMETERS) {
   LOCAL uint begins[CELL_WORK_GROUP], ends[CELL_WORK_GROUP], candidates[CELL_WORK_GROUP];
@@ -83,7 +83,7 @@ KERNEL WORK_GROUP_OF(CELL_WORK_GROUP) void force_between_particles(
     n_own = number_stretches(p, own, 0, item, begins, ends, cell_ranges);
     const bool exists = first_own + item < n_own;
     uint self = 0, n_contacts = 0;
-    if (exists) self = particle_at(place_of(first_own + item, begins, ends), cell_keys);
+    if (exists) self = particle_at(place_of(first_own + item, begins, ends) MAP_ARGUMENT);
     const Particle particle = load_particle(p, self, &particles);
 
     const uint n_stretches = n_own > 0 ? stretches_of(around) : 0;
@@ -91,7 +91,7 @@ KERNEL WORK_GROUP_OF(CELL_WORK_GROUP) void force_between_particles(
       const uint n_candidates = number_stretches(p, around, first_stretch, item, begins, ends, cell_ranges);
       for (uint first = 0; first < n_candidates; first += CELL_WORK_GROUP) {  // branch: next candidates
         if (first + item < n_candidates) {                                    // branch: loads a candidate
-          candidates[item] = particle_at(place_of(first + item, begins, ends), cell_keys);
+          candidates[item] = particle_at(place_of(first + item, begins, ends) MAP_ARGUMENT);
           places[item] = position_radius[candidates[item]];
         }
         work_group_barrier_local();
@@ -116,7 +116,7 @@ KERNEL WORK_GROUP_OF(CELL_WORK_GROUP) void force_between_particles(
     if (exists) {  // branch: a particle
       n_contacts = checked_length(n_contacts, &particle, status);
       ContactHistory history = HISTORY_OF(self, particle.rank, 0);
-      ForceSum sum = gravity_alone(p, &particle);
+      ForceSum sum = gravity_alone(p, particle.mass);
       apply_to_listed(p, self, &particle, n_contacts, near, &particles, &law, &history, &sum);
       store_sum(self, &particles, &sum, n_contacts, &sums, contact_counts, status);
     }
