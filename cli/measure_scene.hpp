@@ -16,7 +16,7 @@ struct SceneMeasurement {
   std::uint64_t at_step = 0;  // first that is measured
   std::uint64_t steps = 16;   // that a reading of the whole step is the mean of
   unsigned warm_up = 3, repeats = 20;
-  bool mark = false;  // count one more step, for a profiler
+  bool mark = false;  // run one step for a profiler, and time nothing
 };
 
 // Whole steps are timed by the host's clock, in a simulation that times no kernels; kernels by the device's
