@@ -68,8 +68,10 @@ ProfiledCase profile_case(const SweepSetting& setting, const Variant& variant) {
   report.particles = setting.scene.particles.size();
   report.step = setting.at_step;
   report.seed = setting.scene.seed;
-  ProfiledCase result{
-      file_stem(variant) + ".report.json", reports::headline_of(reports::kernels_of(report)), {}};
+  ProfiledCase result{file_stem(variant) + ".report.json",
+                      reports::headline_of(reports::kernels_of(report)),
+                      {},
+                      report.model.device_bytes_per_particle};
   for (const SweepSetting::Passed& passed : setting.passed) {
     Scene scene = setting.scene;
     scene.particles = passed.particles;

@@ -57,6 +57,7 @@ struct ProfiledCase {
   std::string report_file;
   reports::Headline headline;
   std::vector<reports::SweepCase::Sample> samples;
+  std::optional<double> device_bytes_per_particle;
 };
 ProfiledCase profile_case(const SweepSetting& setting, const Variant& variant);
 

@@ -212,6 +212,7 @@ class Sweep {
           pending.row.report_file = std::move(profiled.report_file);
           pending.row.headline = profiled.headline;
           pending.row.samples = std::move(profiled.samples);
+          pending.row.device_bytes_per_particle = profiled.device_bytes_per_particle;
         });
         lock.lock();
         ++finished;

@@ -33,6 +33,8 @@ Value sectors_per_load(const SweepCase& c) {
   return c.headline ? c.headline->sectors_per_load : std::nullopt;
 }
 
+Value device_bytes(const SweepCase& c) { return c.device_bytes_per_particle; }
+
 Value predicted_seconds(const SweepCase& c) {
   return c.headline ? c.headline->predicted_seconds : std::nullopt;
 }
@@ -87,6 +89,8 @@ constexpr SweepColumn columns[] = {
      count<sfu_instructions>, sfu_instructions},
     {"sectors/load", "32-byte sectors a global load touches on average", false, "sectors_per_load",
      fixed<sectors_per_load, 2>, sectors_per_load},
+    {"bytes/particle", "device memory of all arrays of a step, over the particles", false, "",
+     fixed<device_bytes, 0>, device_bytes},
     {"predicted step", "time of a step by the cost model, on the machine that --machine names", false, "",
      seconds<predicted_seconds>, predicted_seconds},
     {"time/step", "median wall time of a step on the opencl back end", false, "", seconds<seconds_per_step>,
@@ -101,7 +105,7 @@ constexpr SweepColumn columns[] = {
 
 std::vector<SweepColumn> sweep_columns(const SweepIndex& index) {
   std::vector<SweepColumn> shown(std::begin(columns), std::end(columns));
-  for (const auto value : {predicted_seconds, seconds_per_step})
+  for (const auto value : {device_bytes, predicted_seconds, seconds_per_step})
     if (std::ranges::none_of(index.cases, [&](const SweepCase& c) { return value(c).has_value(); }))
       std::erase_if(shown, [&](const SweepColumn& column) { return column.value == value; });
   return shown;

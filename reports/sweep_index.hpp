@@ -43,9 +43,10 @@ struct SweepCase {
   std::string variant;
   std::map<std::string, std::string> axes;  // axis -> value
   CaseStatus status = CaseStatus::done;
-  std::string message;                     // empty when done
-  std::optional<std::string> report_file;  // "warpgrain.report/1", relative to the index
-  std::optional<Headline> headline;        // of every launch of the report together
+  std::string message;                              // empty when done
+  std::optional<std::string> report_file;           // "warpgrain.report/1", relative to the index
+  std::optional<Headline> headline;                 // of every launch of the report together
+  std::optional<double> device_bytes_per_particle;  // of all arrays of the step
   // Of all kernels of a step together, at states on the way; empty where none was asked for.
   struct Sample {
     std::uint64_t step = 0;

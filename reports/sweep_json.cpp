@@ -74,6 +74,8 @@ Json to_json(const SweepCase& sweep_case) {
   for (const SweepCase::Sample& sample : sweep_case.samples)
     json["samples"].push_back(
         {{"step", sample.step}, {"time", sample.time}, {"simt_efficiency", sample.simt_efficiency}});
+  if (sweep_case.device_bytes_per_particle)
+    json["device_bytes_per_particle"] = *sweep_case.device_bytes_per_particle;
   json["backends"] = Json::array();
   for (const BackendReading& reading : sweep_case.backends) json["backends"].push_back(to_json(reading));
   return json;
@@ -92,6 +94,7 @@ SweepCase case_from(const JsonReader& place) {
     for (const JsonReader& sample : samples->elements())
       sweep_case.samples.push_back({sample.at("step").whole_number(), sample.at("time").number(),
                                     sample.at("simt_efficiency").number()});
+  sweep_case.device_bytes_per_particle = optional_number(place, "device_bytes_per_particle");
   for (const JsonReader& reading : place.at("backends").elements())
     sweep_case.backends.push_back(reading_from(reading));
   return sweep_case;

@@ -203,6 +203,7 @@ SweepIndex sweep() {
   done.axes = {{"contact", "branchy"}, {"search", "cells"}, {"order", "cell"}, {"model", "needed"}};
   done.report_file = "branchy_cells_cell_fp32_default.json";
   done.headline = headline_of(kernels_of(report()));
+  done.device_bytes_per_particle = 96.5;
   done.backends = {
       {.backend = "opencl",
        .device = "pthread-device",
