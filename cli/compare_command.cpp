@@ -21,7 +21,7 @@
 namespace warpgrain::cli {
 namespace {
 
-struct Options {
+struct CompareOptions {
   std::vector<std::string> documents, measured, metrics;
   std::optional<double> fail_above;
   OutputOptions output;
@@ -38,7 +38,7 @@ std::optional<std::filesystem::path> sweep_index(const std::filesystem::path& do
   return std::nullopt;
 }
 
-reports::Comparison compared(const Options& options) {
+reports::Comparison compared(const CompareOptions& options) {
   const std::string& first = options.documents.front();
   if (options.measured.empty()) {
     if (options.documents.size() != 2)
@@ -71,7 +71,7 @@ reports::Comparison compared(const Options& options) {
   return comparison;
 }
 
-int compare(const Options& options) {
+int compare(const CompareOptions& options) {
   if (options.fail_above && !(*options.fail_above >= 0))
     throw_input_error("--fail-above", fmt::format("{}", *options.fail_above), "a percentage of 0 or more");
   reports::Comparison comparison = compared(options);
@@ -89,7 +89,7 @@ int compare(const Options& options) {
 }  // namespace
 
 void add_compare_command(CLI::App& app, Action& chosen) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CompareOptions>();
   CLI::App& command = *app.add_subcommand("compare", help_text().summary("compare"));
   add_option(command, "documents", options->documents)->required();
   add_option(command, "--measured", options->measured);

@@ -149,11 +149,11 @@ int list(const std::string& what, const OutputOptions& output) {
 }  // namespace
 
 void add_list_command(CLI::App& app, Action& chosen) {
-  struct Options {
+  struct ListOptions {
     std::string what;
     OutputOptions output;
   };
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ListOptions>();
   CLI::App& command = *app.add_subcommand("list", help_text().summary("list"));
   add_option(command, "what", options->what);
   options->output.add_to(command);

@@ -20,7 +20,7 @@
 namespace warpgrain::cli {
 namespace {
 
-struct Options {
+struct MeasureOptions {
   LaunchMeasurement launch;
   SceneOptions scene;
   VariantOptions variant;
@@ -40,7 +40,8 @@ bool agrees(const reports::MeasuredReport& report, double tolerance) {
 }
 
 // The call again that a profiler watches: what decides what runs, and nothing that decides what is written.
-std::vector<std::string> marked_call(const Options& options, const Scene* scene, const Variant* variant) {
+std::vector<std::string> marked_call(const MeasureOptions& options, const Scene* scene,
+                                     const Variant* variant) {
   std::vector<std::string> words{"measure", "--mark", "--repeats", "1", "--warm-up", "0", "--quiet"};
   const auto add = [&words](const std::string& option, const std::string& value) {
     if (!value.empty()) words.insert(words.end(), {option, value});
@@ -64,7 +65,7 @@ std::vector<std::string> marked_call(const Options& options, const Scene* scene,
   return words;
 }
 
-reports::MeasuredReport measured_scene(Options& options, const reports::MeasuredReport* earlier) {
+reports::MeasuredReport measured_scene(MeasureOptions& options, const reports::MeasuredReport* earlier) {
   const Scene scene = options.scene.load();
   const Variant variant = options.variant.resolve(scene, options.device.kernels);
   if (options.counters && options.step.backend != "cuda")
@@ -80,14 +81,14 @@ reports::MeasuredReport measured_scene(Options& options, const reports::Measured
   return report;
 }
 
-reports::MeasuredReport measured_launch(Options& options, const reports::MeasuredReport* earlier) {
+reports::MeasuredReport measured_launch(MeasureOptions& options, const reports::MeasuredReport* earlier) {
   options.launch.device = options.device.device;
   reports::MeasuredReport report = measure_launch(options.launch, earlier);
   if (options.counters && !interrupted()) count_with_ncu(marked_call(options, nullptr, nullptr), report);
   return report;
 }
 
-int measure(Options options) {
+int measure(MeasureOptions options) {
   if (options.launch.repeats == 0) throw_input_error("--repeats", "0", "a number above 0");
   if (options.launch.in_a_row == 0) throw_input_error("--in-a-row", "0", "a number above 0");
   if (options.step.steps == 0) throw_input_error("--steps", "0", "a number above 0");
@@ -115,7 +116,7 @@ int measure(Options options) {
 }  // namespace
 
 void add_measure_command(CLI::App& app, Action& chosen) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<MeasureOptions>();
   options->step.backend = "opencl";
   CLI::App& command = *app.add_subcommand("measure", help_text().summary("measure"));
   add_option(command, "launch", options->launch.launch);

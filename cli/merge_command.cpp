@@ -19,7 +19,7 @@
 namespace warpgrain::cli {
 namespace {
 
-struct Options {
+struct MergeOptions {
   std::vector<std::string> folders;
   std::string out;
   OutputOptions output;
@@ -37,7 +37,7 @@ void copy_files(const std::filesystem::path& from, const std::filesystem::path& 
   }
 }
 
-int merge(const Options& options) {
+int merge(const MergeOptions& options) {
   const auto shards = reports::read_shards(options.folders);
   reports::SweepIndex index = reports::merged(shards);
   index.command_line = command_line();
@@ -57,7 +57,7 @@ int merge(const Options& options) {
 }  // namespace
 
 void add_merge_command(CLI::App& app, Action& chosen) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<MergeOptions>();
   CLI::App& command = *app.add_subcommand("merge", help_text().summary("merge"));
   add_option(command, "folders", options->folders)->required();
   add_option(command, "--out", options->out)->required();

@@ -32,9 +32,9 @@ namespace {
 
 constexpr std::string_view paper_machine = "fermi_c2050";
 // The paper has eight times as many.
-constexpr std::uint64_t default_particles = 16384;
+constexpr std::uint64_t paper_particles = 16384;
 
-struct Options {
+struct PaperOptions {
   SceneOptions scene;
   DeviceOptions device;
   OutputOptions output;
@@ -47,11 +47,11 @@ struct Options {
   std::vector<std::string> axis;
 };
 
-Scene scene_of(const Options& options) {
+Scene scene_of(const PaperOptions& options) {
   SceneOptions chosen = options.scene;
   if (chosen.scene.empty()) {
     chosen.scene = "slit";
-    if (!chosen.particles) chosen.particles = default_particles;
+    if (!chosen.particles) chosen.particles = paper_particles;
   }
   return chosen.load();
 }
@@ -72,7 +72,7 @@ std::vector<reports::PaperReport::Paths> paths_of(profiler::PathCensus& census, 
 // Goes through what the paper has, part by part. Each is done when it returns true; else Ctrl-C has come.
 class PaperStudy {
  public:
-  explicit PaperStudy(const Options& options) : options_(options), progress_(options.output.quiet) {
+  explicit PaperStudy(const PaperOptions& options) : options_(options), progress_(options.output.quiet) {
     facts_.paper_machine = load_machine(paper_machine);
     facts_.machine = load_machine(options.machine);
     variants_ = swept_variants(options.axis);
@@ -186,7 +186,7 @@ class PaperStudy {
     return launches;
   }
 
-  const Options& options_;
+  const PaperOptions& options_;
   Progress progress_;
   reports::PaperFacts facts_;
   std::vector<Variant> variants_;
@@ -198,7 +198,7 @@ class PaperStudy {
   std::size_t n_variants_ = 0;  // done
 };
 
-int paper(const Options& options) {
+int paper(const PaperOptions& options) {
   if (options.samples == 0) throw_input_error("--samples", "0", "a number above 0");
   if (!options.checkpoint.empty()) make_folder(options.checkpoint);
   PaperStudy study(options);
@@ -212,7 +212,7 @@ int paper(const Options& options) {
 }  // namespace
 
 void add_paper_command(CLI::App& app, Action& chosen) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<PaperOptions>();
   CLI::App& command = *app.add_subcommand("paper", help_text().summary("paper"));
   options->scene.add_to(command);
   CLI::Option* steps = add_option(command, "--steps", options->steps);

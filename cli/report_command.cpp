@@ -32,7 +32,7 @@
 namespace warpgrain::cli {
 namespace {
 
-struct Options {
+struct ReportOptions {
   std::string document;
   std::string html, csv, baseline;
   bool markdown = false;
@@ -43,7 +43,7 @@ struct Options {
   throw_input_error(option, fmt::format("a document of {}", format), expected);
 }
 
-void render_sweep(const Options& options, const std::filesystem::path& file) {
+void render_sweep(const ReportOptions& options, const std::filesystem::path& file) {
   const reports::SweepIndex index = reports::read_sweep(file);
   std::optional<reports::SweepIndex> baseline;
   if (!options.baseline.empty()) {
@@ -67,7 +67,7 @@ std::string no_page(const reports::RunReport&) {
 
 // A document of one thing, read, and shown as a page and as text.
 template <auto read, auto page, auto text>
-void render_document(const Options& options, const std::filesystem::path& file) {
+void render_document(const ReportOptions& options, const std::filesystem::path& file) {
   const auto document = read(file);
   if (!options.html.empty()) write_output(options.html, page(document));
   if (!options.quiet && options.html != "-") std::cout << text(document);
@@ -75,7 +75,7 @@ void render_document(const Options& options, const std::filesystem::path& file) 
 
 struct Renderer {
   std::string_view format;
-  void (*render)(const Options&, const std::filesystem::path&);
+  void (*render)(const ReportOptions&, const std::filesystem::path&);
 };
 constexpr std::array renderers{
     Renderer{reports::report_format,
@@ -91,7 +91,7 @@ constexpr std::array renderers{
     Renderer{reports::stability_format,
              render_document<reports::read_stability, reports::stability_page, reports::text_stability>}};
 
-int render(const Options& options) {
+int render(const ReportOptions& options) {
   std::filesystem::path file = options.document;
   if (std::filesystem::is_directory(file)) file /= reports::sweep_index_name;
   const std::string format = reports::format_of(file);
@@ -113,7 +113,7 @@ int render(const Options& options) {
 }  // namespace
 
 void add_report_command(CLI::App& app, Action& chosen) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ReportOptions>();
   CLI::App& command = *app.add_subcommand("report", help_text().summary("report"));
   add_option(command, "document", options->document)->required();
   add_output_file(command, "--html", options->html);

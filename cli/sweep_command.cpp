@@ -34,7 +34,7 @@
 namespace warpgrain::cli {
 namespace {
 
-struct Options {
+struct SweepOptions {
   SceneOptions scene;
   std::vector<std::string> axis;
   DeviceOptions device;
@@ -95,7 +95,7 @@ class IndexFile {
 // What a sweep goes through; one object a call.
 class Sweep {
  public:
-  explicit Sweep(const Options& options)
+  explicit Sweep(const SweepOptions& options)
       : options_(options), progress_(options.output.quiet), variants_(swept_variants(options.axis)) {
     const Shard shard = Shard::parse(options.shard);
     for (std::size_t k = 0; k < variants_.size(); ++k)
@@ -241,7 +241,7 @@ class Sweep {
     return 0;
   }
 
-  const Options& options_;
+  const SweepOptions& options_;
   Progress progress_;
   std::vector<Variant> variants_;  // of the whole sweep
   std::vector<Variant> cases_;     // of this shard
@@ -254,7 +254,7 @@ class Sweep {
 }  // namespace
 
 void add_sweep_command(CLI::App& app, Action& chosen) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SweepOptions>();
   CLI::App& command = *app.add_subcommand("sweep", help_text().summary("sweep"));
   options->scene.add_to(command)->required();
   add_option(command, "--axis", options->axis);

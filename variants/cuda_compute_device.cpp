@@ -19,7 +19,7 @@ namespace {
 using KernelTimes = BackendOptions::KernelTimes;
 
 // More than the host takes to queue a step: a hundred launches of some 6 us each.
-constexpr double delay_seconds = 2e-3;
+constexpr double step_delay_seconds = 2e-3;
 
 class CudaComputeDevice : public ComputeDevice {
  public:
@@ -62,7 +62,7 @@ class CudaComputeDevice : public ComputeDevice {
       kernel.function.launch({launch.global_size / size, 1, 1}, {size, 1, 1}, 0, parameters);
     };
     if (times_ == KernelTimes::none) return run();
-    if (delay_ && running_.empty()) delay_->launch(delay_seconds);
+    if (delay_ && running_.empty()) delay_->launch(step_delay_seconds);
     Running running{kernel.timing, take_event(), take_event()};
     running.begin.record();
     run();

@@ -15,7 +15,7 @@ namespace warpgrain::cli {
 namespace {
 
 // Lengths [m]. The slit is five diameters wide, so that grains do not jam in it.
-constexpr double radius = 0.002, half_slit = 0.01, half_box = 0.02, depth = 0.016, fill_height = 0.06;
+constexpr double grain_radius = 0.002, half_slit = 0.01, half_box = 0.02, depth = 0.016, fill_height = 0.06;
 constexpr double floor_at = -0.04, half_floor = 0.1, ceiling = 0.08;
 constexpr std::size_t grains = 200;
 constexpr double duration = 0.8;  // s
@@ -53,10 +53,11 @@ Scene boxes(std::uint64_t seeds) {
   std::string particles;
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {
     const double y = depth * static_cast<double>(seed);
-    const FillSpec fill{{{-half_box, y, 0}, {half_box, y + depth, fill_height}}, grains, radius, seed + 1};
+    const FillSpec fill{
+        {{-half_box, y, 0}, {half_box, y + depth, fill_height}}, grains, grain_radius, seed + 1};
     for (const Vector3d& x : fill_positions(fill, "ensemble"))
       particles += fmt::format(R"({}{{"material": "soft", "radius": {}, "position": [{}, {}, {}]}})",
-                               particles.empty() ? "" : ", ", radius, x.x(), x.y(), x.z());
+                               particles.empty() ? "" : ", ", grain_radius, x.x(), x.y(), x.z());
   }
   return parse_scene(
       fmt::format(R"({{"format": "warpgrain.scene/1", "name": "ensemble", "gravity": [0, 0, -9.81],
@@ -141,10 +142,10 @@ std::vector<EnsembleQuantity> ensemble(std::uint64_t seeds, const Backend& backe
     const double y = depth * static_cast<double>(seed);
     quantities[0].values.push_back(flow_rate(passed[seed], 0.1 * grains, 0.4 * grains));
     quantities[1].values.push_back(settling_time(energies[seed], interval));
-    quantities[2].values.push_back(packing_fraction(heap, radius, {-half_slit, y, floor_at},
-                                                    {half_slit, y + depth, floor_at + 4 * radius}));
+    quantities[2].values.push_back(packing_fraction(heap, grain_radius, {-half_slit, y, floor_at},
+                                                    {half_slit, y + depth, floor_at + 4 * grain_radius}));
     quantities[3].values.push_back(candidate_census(fallen).mean_contacts);
-    quantities[4].values.push_back(repose_angle(heap, radius, floor_at));
+    quantities[4].values.push_back(repose_angle(heap, grain_radius, floor_at));
   }
   return quantities;
 }

@@ -13,21 +13,19 @@
 namespace warpgrain::cli {
 namespace {
 
-constexpr double r = 1e-3;
-
 // eqs. (4), (8); of the simple model eq. (1)
 double expected_force(const Scene& scene, ContactModel model, double overlap) {
   if (model == ContactModel::simple) return scene.model.simple.k_spring * overlap;
-  return scene.contacts.at(0, 0).normal_parameter * std::sqrt(overlap * r / 2) * overlap;
+  return scene.contacts.at(0, 0).normal_parameter * std::sqrt(overlap * probe_radius / 2) * overlap;
 }
 
 ProbeReading overlap(const ProbeBench& bench, double x) {
   ProbeScene setting;
-  setting.bodies.push_back({r, {-r, 0, 0}, Vector3d::Zero(), 0});
-  setting.bodies.push_back({r, {r - x * r, 0, 0}, Vector3d::Zero(), 0});
+  setting.bodies.push_back({probe_radius, {-probe_radius, 0, 0}, Vector3d::Zero(), 0});
+  setting.bodies.push_back({probe_radius, {probe_radius - x * probe_radius, 0, 0}, Vector3d::Zero(), 0});
   const Scene scene = setting.scene();
   const ForceState forces = bench.forces(scene);
-  const double expected = expected_force(scene, bench.model(), x * r);
+  const double expected = expected_force(scene, bench.model(), x * probe_radius);
   // What the other one feels is as large, and opposite.
   const double off =
       std::max(std::abs(-forces.force[0].x() - expected), (forces.force[0] + forces.force[1]).norm()) /
@@ -45,7 +43,8 @@ ProbeReading contacts(const ProbeBench& bench, double x) {
     const double z = 1 - (2 * k + 1.0) / n, turn = std::numbers::pi * (3 - std::sqrt(5.0)) * k;
     const double ring = std::sqrt(1 - z * z);
     setting.bodies.push_back(
-        {r, Vector3d(ring * std::cos(turn), ring * std::sin(turn), z) * (1.99 * r), Vector3d::Zero(), 0});
+        {probe_radius, Vector3d(ring * std::cos(turn), ring * std::sin(turn), z) * (1.99 * probe_radius),
+         Vector3d::Zero(), 0});
   }
   const Scene scene = setting.scene();
   const ForceState seen = bench.forces(scene), exact = reference_bench(bench).forces(scene);

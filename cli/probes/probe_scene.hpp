@@ -9,13 +9,15 @@
 
 namespace warpgrain::cli {
 
+inline constexpr double probe_radius = 1e-3;  // m, of bodies where a probe does not vary it
+
 struct ProbeMaterial {
   double density = 2500;        // kg/m^3
   double youngs_modulus = 1e7;  // Pa
 };
 
 struct ProbeBody {
-  double radius = 1e-3;  // m
+  double radius = probe_radius;  // m
   Vector3d position = Vector3d::Zero(), velocity = Vector3d::Zero();
   std::size_t material = 0;
 };

@@ -13,7 +13,7 @@
 namespace warpgrain::cli {
 namespace {
 
-constexpr double r = 1e-3, gravity = 9.81;
+constexpr double gravity = 9.81;
 
 double static_overlap(const Scene& scene, ContactModel model, double effective_radius, double force) {
   if (model == ContactModel::simple) return force / scene.model.simple.k_spring;
@@ -26,17 +26,17 @@ ProbeReading stack(const ProbeBench& bench, double youngs_modulus, double height
   setting.materials[0].youngs_modulus = youngs_modulus;
   setting.restitution = 0.3;
   setting.gravity = {0, 0, -gravity};
-  setting.bodies = {{r, {0, 0, height + r}, Vector3d::Zero(), 0},
-                    {r, {0, 0, height + 3 * r}, Vector3d::Zero(), 0}};
+  setting.bodies = {{probe_radius, {0, 0, height + probe_radius}, Vector3d::Zero(), 0},
+                    {probe_radius, {0, 0, height + 3 * probe_radius}, Vector3d::Zero(), 0}};
   setting.planes.push_back({{0, 0, height}, Vector3d::UnitZ()});
   Scene scene = setting.scene();
   const double weight = scene.particles.mass[0] * gravity;
-  const double in_floor = static_overlap(scene, bench.model(), r, 2 * weight);
-  const double expected = static_overlap(scene, bench.model(), r / 2, weight);
+  const double in_floor = static_overlap(scene, bench.model(), probe_radius, 2 * weight);
+  const double expected = static_overlap(scene, bench.model(), probe_radius / 2, weight);
   scene.particles.position[0].z() -= in_floor;
   scene.particles.position[1].z() -= in_floor + expected;
   const ParticleState after = bench.run(scene, 200);
-  const double overlap = 2 * r - (after.position[1] - after.position[0]).norm();
+  const double overlap = 2 * probe_radius - (after.position[1] - after.position[0]).norm();
   return {std::abs(overlap - expected) / expected,
           fmt::format("overlap {:.4g} nm, expected {:.4g} nm", 1e9 * overlap, 1e9 * expected)};
 }
@@ -51,14 +51,15 @@ Scene settled_pyramid(const ProbeBench& bench) {
   ProbeScene setting;
   setting.restitution = 0.3;
   setting.gravity = {0, 0, -gravity};
-  const double to_corner = 2 * r / std::sqrt(3.0);
+  const double to_corner = 2 * probe_radius / std::sqrt(3.0);
   for (int k = 0; k < 3; ++k)
     setting.bodies.push_back(
-        {r,
-         {to_corner * std::cos(k * 2 * M_PI / 3), to_corner * std::sin(k * 2 * M_PI / 3), r},
+        {probe_radius,
+         {to_corner * std::cos(k * 2 * M_PI / 3), to_corner * std::sin(k * 2 * M_PI / 3), probe_radius},
          Vector3d::Zero(),
          0});
-  setting.bodies.push_back({r, {0, 0, r + 2 * r * std::sqrt(2.0 / 3)}, Vector3d::Zero(), 0});
+  setting.bodies.push_back(
+      {probe_radius, {0, 0, probe_radius + 2 * probe_radius * std::sqrt(2.0 / 3)}, Vector3d::Zero(), 0});
   setting.planes.emplace_back();
   Scene scene = setting.scene();
   scene.particles = reference_bench(bench).run(scene, 20000, 20000);
@@ -81,7 +82,7 @@ ProbeReading rest(const ProbeBench& bench, double x) {
     crept = std::max(crept, (displacement - drift).norm());
   }
   const double weight = scene.particles.mass[0] * gravity;
-  const double overlap = static_overlap(scene, bench.model(), r / 2, weight);
+  const double overlap = static_overlap(scene, bench.model(), probe_radius / 2, weight);
   const Energy energy = energy_of(scene, after);
   const double heat = energy.kinetic_translational + energy.kinetic_rotational;
   return {std::max(moved / overlap, heat / (weight * overlap)),

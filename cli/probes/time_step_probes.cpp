@@ -15,8 +15,6 @@
 namespace warpgrain::cli {
 namespace {
 
-constexpr double r = 1e-3;
-
 // Pairs beside each other that begin their contacts a quarter of a step apart: how a contact falls between
 // two steps is chance.
 ProbeReading impact(const ProbeBench& bench, double x) {
@@ -25,7 +23,8 @@ ProbeReading impact(const ProbeBench& bench, double x) {
   ProbeScene setting;
   for (int pair = 0; pair < n_pairs; ++pair)
     for (double side : {-1.0, 1.0})
-      setting.bodies.push_back({r, {side * r, 6 * r * pair, 0}, {-side * speed / 2, 0, 0}, 0});
+      setting.bodies.push_back(
+          {probe_radius, {side * probe_radius, 6 * probe_radius * pair, 0}, {-side * speed / 2, 0, 0}, 0});
   Scene scene = setting.scene();
   scene.time_step = x * time_step_limits(scene).rayleigh_time;
   for (int pair = 0; pair < n_pairs; ++pair)
@@ -36,7 +35,7 @@ ProbeReading impact(const ProbeBench& bench, double x) {
   const auto is_over = [&](const ParticleState& state) {
     for (int pair = 0; pair < n_pairs; ++pair)
       if (velocity(state, pair) < 0 ||
-          (state.position[2 * pair + 1] - state.position[2 * pair]).norm() < 2 * r)
+          (state.position[2 * pair + 1] - state.position[2 * pair]).norm() < 2 * probe_radius)
         return false;
     return true;
   };
@@ -61,13 +60,14 @@ double hertz_times(ProbeScene setting) {
 
 double hertz_times_of_impact() {
   ProbeScene setting;
-  for (double side : {-1.0, 1.0}) setting.bodies.push_back({r, {side * r, 0, 0}, {-side / 2, 0, 0}, 0});
+  for (double side : {-1.0, 1.0})
+    setting.bodies.push_back({probe_radius, {side * probe_radius, 0, 0}, {-side / 2, 0, 0}, 0});
   return hertz_times(setting);
 }
 
 ProbeScene oblique_scene() {
   ProbeScene setting;
-  setting.bodies.push_back({r, {0, 0, r}, Vector3d(1, 0, -1) * std::sqrt(0.5), 0});
+  setting.bodies.push_back({probe_radius, {0, 0, probe_radius}, Vector3d(1, 0, -1) * std::sqrt(0.5), 0});
   setting.planes.emplace_back();
   return setting;
 }
@@ -80,7 +80,7 @@ ParticleState oblique_after(const ProbeBench& bench, double share_of_rayleigh_ti
   const double contact = contact_time(scene, bench.model(), 1) / scene.time_step;
   return bench.run(scene, static_cast<std::uint64_t>(std::ceil(4 * contact)) + 10,
                    static_cast<std::uint64_t>(std::ceil(contact / 3)), [](const ParticleState& state) {
-                     return state.velocity[0].z() > 0 && state.position[0].z() > r;
+                     return state.velocity[0].z() > 0 && state.position[0].z() > probe_radius;
                    });
 }
 
@@ -96,7 +96,7 @@ ProbeReading oblique(const ProbeBench& bench, double x) {
   const ParticleState seen = oblique_after(bench, x);
   const ParticleState& fine = fine_oblique(bench);
   const double spin = seen.angular_velocity[0].y(), expected = fine.angular_velocity[0].y();
-  return {std::max((seen.velocity[0] - fine.velocity[0]).norm(), r * std::abs(spin - expected)),
+  return {std::max((seen.velocity[0] - fine.velocity[0]).norm(), probe_radius * std::abs(spin - expected)),
           fmt::format("spin {:.4g} rad/s, with small steps {:.4g}", spin, expected)};
 }
 
@@ -105,12 +105,14 @@ ProbeReading packing(const ProbeBench& bench, double x) {
   constexpr double pressed = 1e-3;
   ProbeScene setting;
   setting.restitution = 1;
-  const double spacing = 2 * r * (1 - pressed), wall = spacing + r * (1 - pressed);
+  const double spacing = 2 * probe_radius * (1 - pressed), wall = spacing + probe_radius * (1 - pressed);
   std::mt19937 random(1);
   const auto shake = [&] { return 1e-3 * (static_cast<double>(random()) / 0x1p31 - 1); };
   for (int k = 0; k < 27; ++k)
-    setting.bodies.push_back(
-        {r, Vector3d(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1) * spacing, {shake(), shake(), shake()}, 0});
+    setting.bodies.push_back({probe_radius,
+                              Vector3d(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1) * spacing,
+                              {shake(), shake(), shake()},
+                              0});
   for (int axis = 0; axis < 3; ++axis)
     for (double side : {-1.0, 1.0})
       setting.planes.push_back({Vector3d::Unit(axis) * (side * wall), Vector3d::Unit(axis) * -side});
