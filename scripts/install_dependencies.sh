@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs what is missing to build, test and run warpgrain on Debian 12. Asks apt only when something is missing.
+# Installs what is missing to build, test and run warpgrain on Debian 12, and the packages that are named. Asks apt only when
+# something is missing.
 set -euo pipefail
 
 packages=(
@@ -9,6 +10,7 @@ packages=(
   ocl-icd-opencl-dev opencl-c-headers opencl-clhpp-headers pocl-opencl-icd
   libgtest-dev libgmock-dev libbenchmark-dev libmpfr-dev
   python3-jsonschema
+  "$@"
 )
 # The charts of report pages; without npm, or a registry, pages have their tables alone.
 pages="$(dirname "$0")/../reports/html"

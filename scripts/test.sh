@@ -4,7 +4,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 preset="${1:-release}"
 
-scripts/install_dependencies.sh
+scripts/install_dependencies.sh python3-vtk9 # whose reader, ParaView's own, the files of --vtk are held against
 cmake --preset "$preset"
 cmake --build --preset "$preset" --parallel "$(nproc)"
 ctest --preset "$preset" --parallel "$(nproc)"
