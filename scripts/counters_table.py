@@ -1,0 +1,81 @@
+#!/usr/bin/env python3
+"""What the simulator counts of a step beside what a GPU counted, variant by variant.
+
+    scripts/counters_table.py --write | --check
+
+Writes the tables of docs/counters.md from the readings in reports/measured/h100-variants, or exits with 1 where the page says
+anything else: sums over all kernels of a step (`headline` in the index of a sweep with --weights sass, `counters` of `measure
+--counters` documents), and how far the simulator's are off in percent of the GPU's.
+"""
+import json
+import pathlib
+import re
+import statistics
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+PAGE = ROOT / "docs" / "counters.md"
+READINGS = ROOT / "reports" / "measured" / "h100-variants"
+BEGIN, END = "<!-- begin tables -->", "<!-- end tables -->"
+SETS = (("bed131072", "A settled bed"), ("earlier_bed131072", "The same, counted earlier on a bed of its own"), ("shear131072", "Flowing grains"))
+METRICS = ("warp_instructions", "thread_instructions", "simt_efficiency", "sfu_instructions", "branches", "divergent_branches")
+
+
+def counted(document):
+    sums = {m: sum(k["counters"][m] for k in document["kernels"]) for m in METRICS if m != "simt_efficiency"}
+    sums["simt_efficiency"] = sums["thread_instructions"] / (32 * sums["warp_instructions"])
+    return sums
+
+
+def makes_lists(document):
+    return any(k["kernel"].startswith("list_") for k in document["kernels"] if k["counters"].get("warp_instructions"))
+
+
+def table(name, title):
+    index = json.loads((READINGS / f"sweep-{name}.json").read_text())
+    rows, differences = [], {m: [] for m in METRICS}
+    for case in sorted(index["cases"], key=lambda c: c["variant"]):
+        file = READINGS / f'counters-{name}-{re.sub("[/=]", "-", case["variant"])}.json'
+        if not file.exists():
+            continue
+        document = json.loads(file.read_text())
+        gpu = counted(document)
+        off = {m: 100 * (case["headline"][m] / gpu[m] - 1) for m in METRICS}
+        other_step = makes_lists(document)
+        if not other_step:
+            for metric in METRICS:
+                differences[metric].append(abs(off[metric]))
+        rows.append(
+            f'| `{case["variant"]}` | {gpu["warp_instructions"]:,.0f} | {gpu["simt_efficiency"]:.3f} | '
+            + " | ".join("another step" if other_step else f"{off[m]:+.2f} %" for m in METRICS)
+            + " |"
+        )
+    lines = [
+        f"## {title}",
+        "",
+        f'{index["particles"]:,} particles, {len(rows)} variants.',
+        "",
+        "| variant | warp instructions | SIMT efficiency | " + " | ".join(f'{m.replace("_", " ")}, off by' for m in METRICS) + " |",
+        "|---|" + "---:|" * (len(METRICS) + 2),
+        *rows,
+        "| median, largest | | | " + " | ".join(f"{statistics.median(d):.2f} %, {max(d):.2f} %" for d in differences.values()) + " |",
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def main():
+    if sys.argv[1:] not in (["--write"], ["--check"]):
+        sys.exit(__doc__)
+    before, begin, rest = PAGE.read_text().partition(BEGIN)
+    _, end, after = rest.partition(END)
+    if not begin or not end:
+        sys.exit(f"{PAGE}: no lines {BEGIN} and {END}")
+    page = f"{before}{BEGIN}\n" + "\n".join(table(*s) for s in SETS) + f"{END}{after}"
+    if sys.argv[1] == "--write":
+        PAGE.write_text(page)
+    elif page != PAGE.read_text():
+        sys.exit(f"{PAGE} is not what the readings say; expected what --write makes of them")
+
+
+if __name__ == "__main__":
+    main()
