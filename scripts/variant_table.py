@@ -116,7 +116,8 @@ def row(case, report, particles, contacts, readings):
 
 def table(title, folder, readings):
     index = json.loads((folder / "index.json").read_text())
-    done = [case for case in index["cases"] if case["status"] == "done"]
+    # The grid of laws and searches first, then one value of another axis after the other.
+    done = sorted((case for case in index["cases"] if case["status"] == "done"), key=lambda case: not case["variant"].endswith("/cell/fp32/default"))
     if not done:
         sys.exit(f"{folder}: no case that is done")
     reports = [json.loads((folder / case["report_file"]).read_text()) for case in done]
@@ -124,9 +125,7 @@ def table(title, folder, readings):
     lines = [
         f"### {title}",
         "",
-        f'`{index["command_line"]}`',
-        "",
-        f'{index["particles"]} particles, {contacts / index["particles"]:.2f} contacts with others each.',
+        f'{index["particles"]:,} particles, {contacts / index["particles"]:.2f} contacts with others each.',
         "",
         "| " + " | ".join(HEADINGS) + " |",
         "|---|" + "---:|" * (len(HEADINGS) - 2) + "---|",
