@@ -57,25 +57,11 @@ kernel void k(global const uint* in, global uint* out, local T* tile) {
                 line_of(32, 8), {KernelArgument::local(20 * 64)});
 }
 
-TEST(OpenclC, ShufflesAndSelections) {
-  for (const std::string type : {"uchar", "ulong"}) {
-    std::string body;
-    for (const std::string from : {"2", "4", "8", "16"})
-      for (const std::string& to : {std::string("2"), std::string("4"), std::string("8"), std::string("16")})
-        body += "{ const T" + from + " x = vload" + from + "(i, (const global T*)in), y = vload" + from +
-                "(i + 3, (const global T*)in); const T" + to + " m = vload" + to +
-                "(i + 5, (const global T*)in);\n  const T" + to +
-                " r = shuffle(x, m) + shuffle2(x, y, m) * (T)3; sum ^= fold" + to + "(r); }\n";
-    for (const std::string& width : widths)
-      body += with(
-          "{ const T$ x = vload$(i, (const global T*)in), y = vload$(i + 3, (const global T*)in), z = "
-          "vload$(i "
-          "+ 5, (const global T*)in);\n"
-          "  sum = sum * (T)5 + fold$(select(x, y, z)) + fold$(bitselect(x, y, z)); }\n",
-          width);
-    expect_same(
-        "typedef " + type + " T;\n" +
-            with("typedef $2 T2; typedef $3 T3; typedef $4 T4; typedef $8 T8; typedef $16 T16;", type) + R"(
+// A kernel with this body and `sum` of type T, of which functions fold2 to fold16 make one number of a
+// vector.
+std::string folding_kernel(const std::string& type, const std::string& body) {
+  return "typedef " + type + " T;\n" +
+         with("typedef $2 T2; typedef $3 T3; typedef $4 T4; typedef $8 T8; typedef $16 T16;", type) + R"(
 T fold2(T2 v) { return v.x * (T)7 + v.y; }
 T fold3(T3 v) { return v.x * (T)7 + v.y * (T)11 + v.z; }
 T fold4(T4 v) { return fold2(v.lo) * (T)13 + fold2(v.hi); }
@@ -84,8 +70,34 @@ T fold16(T16 v) { return fold8(v.lo) * (T)19 + fold8(v.hi); }
 kernel void k(global const uint* in, global uint* out) {
   const uint i = get_global_id(0);
   T sum = 0;
-)" + body + "((global T*)out)[i] = sum;\n}",
-        line_of(64, 16));
+)" + body +
+         "((global T*)out)[i] = sum;\n}";
+}
+
+// A kernel for each width that is shuffled: one of all takes ten times as long to compile.
+TEST(OpenclC, Shuffles) {
+  for (const std::string type : {"uchar", "ulong"})
+    for (const std::string from : {"2", "4", "8", "16"}) {
+      std::string body;
+      for (const std::string to : {"2", "4", "8", "16"})
+        body += "{ const T" + from + " x = vload" + from + "(i, (const global T*)in), y = vload" + from +
+                "(i + 3, (const global T*)in); const T" + to + " m = vload" + to +
+                "(i + 5, (const global T*)in);\n  const T" + to +
+                " r = shuffle(x, m) + shuffle2(x, y, m) * (T)3; sum ^= fold" + to + "(r); }\n";
+      expect_same(folding_kernel(type, body), line_of(64, 16));
+    }
+}
+
+TEST(OpenclC, Selections) {
+  for (const std::string type : {"uchar", "ulong"}) {
+    std::string body;
+    for (const std::string& width : widths)
+      body += with(
+          "{ const T$ x = vload$(i, (const global T*)in), y = vload$(i + 3, (const global T*)in), z = "
+          "vload$(i + 5, (const global T*)in);\n"
+          "  sum = sum * (T)5 + fold$(select(x, y, z)) + fold$(bitselect(x, y, z)); }\n",
+          width);
+    expect_same(folding_kernel(type, body), line_of(64, 16));
   }
 }
 
