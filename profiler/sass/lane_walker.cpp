@@ -237,6 +237,11 @@ bool LaneWalker::take_trips(const Node& node) {
   };
   const bool taken = possible(node.taken_side), next = possible(node.next_side);
   if (taken != next) return taken;
+  // A lane without a trip left goes where the loop is left at once: the guard before an unrolled loop asks
+  // whether there is any trip, though those behind it would let the lane through, too.
+  const auto is_exit = [](const TripSide& side) { return side.leaves && side.copies == 0; };
+  if (taken && left == 0 && is_exit(node.taken_side) != is_exit(node.next_side))
+    return is_exit(node.taken_side);
   // Where both would do, the way with few copies at a time is for counts that wrap around.
   const auto usual = [](const TripSide& a, const TripSide& b) {
     return a.most != b.most ? a.most > b.most : a.copies < b.copies;

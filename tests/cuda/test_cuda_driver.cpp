@@ -116,10 +116,10 @@ TEST_F(Cuda, DetectorsFire) {
 }
 
 TEST_F(Cuda, MeasureTimesAStepAndItsKernels) {
-  ASSERT_EQ(call({"measure", "--scene", "head_on", "--backend", "cuda", "--at-step", "4", "--repeats", "3",
-                  "--warm-up", "1", "--steps", "2", "--mark", "--json", path("m.json"), "--benchmark-json",
-                  path("b.json")}),
-            0)
+  ASSERT_EQ(
+      call({"measure", "--scene", "head_on", "--backend", "cuda", "--at-step", "4", "--repeats", "3",
+            "--warm-up", "1", "--steps", "2", "--json", path("m.json"), "--benchmark-json", path("b.json")}),
+      0)
       << err_;
   EXPECT_THAT(out_, HasSubstr("million particle-steps/s"));
   const reports::MeasuredReport measured = reports::read_measured(path("m.json"));
@@ -137,6 +137,16 @@ TEST_F(Cuda, MeasureTimesAStepAndItsKernels) {
   ASSERT_EQ(times.size(), measured.kernels.size() + 1);
   EXPECT_EQ(times[0].name, "step");
   EXPECT_NEAR(times[0].seconds[1], measured.step->seconds[1], 1e-12);
+}
+
+// A profiler slows what it sees, so that nothing is timed.
+TEST_F(Cuda, MarksAStepForProfilers) {
+  ASSERT_EQ(call({"measure", "--scene", "head_on", "--backend", "cuda", "--mark", "--json", path("m.json")}),
+            0)
+      << err_;
+  const reports::MeasuredReport measured = reports::read_measured(path("m.json"));
+  EXPECT_FALSE(measured.step);
+  EXPECT_TRUE(measured.kernels.empty());
 }
 
 TEST_F(Cuda, RefusesInOneLine) {
