@@ -47,6 +47,9 @@ void check(const RecordOptions& options) {
     throw_input_error("--memory", fmt::format("{} MiB", options.memory), "at most 2^40 MiB");
   if (!options.save.empty() && std::filesystem::exists(std::filesystem::path(options.save) / record_index))
     throw_input_error("--save", fmt::format("'{}' holds recorded launches", options.save), "another folder");
+  // What a program that is ended leaves half-written is removed: it must not be the user's.
+  if (std::filesystem::is_directory(options.save) && !std::filesystem::is_empty(options.save))
+    throw_input_error("--save", fmt::format("'{}' holds files", options.save), "an empty or a new folder");
 }
 
 reports::Report report_of(const RecordedProfiles& profiles, const std::optional<Machine>& machine,

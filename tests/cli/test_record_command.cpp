@@ -127,6 +127,10 @@ TEST_F(Record, TakesTheLaunchesThatAreAskedFor) {
 
   EXPECT_EQ(record({"--save", path("saved")}), 2);
   EXPECT_THAT(err_, HasSubstr("holds recorded launches"));
+  write("mine/launch.sim", "");
+  EXPECT_EQ(record({"--save", path("mine")}), 2);
+  EXPECT_THAT(err_, HasSubstr("mine' holds files; expected an empty or a new folder"));
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "mine/launch.sim"));
 }
 
 TEST_F(Record, TakesLaunchesOfSeveralThreads) {
