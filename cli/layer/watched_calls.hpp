@@ -24,6 +24,14 @@ void noting(Function&& function) noexcept {
   }
 }
 
+// The driver's function of that name for one object, which is noted first: behind the driver's release
+// another thread may get a new object of the same handle.
+template <auto member, auto note, class Object>
+cl_int CL_API_CALL noted_first(Object object) {
+  noting([&] { note(object); });
+  return (driver.*member)(object);
+}
+
 void watch_memory(cl_icd_dispatch& table);    // buffers, images, pipes and samplers
 void watch_programs(cl_icd_dispatch& table);  // how they are made and built
 void watch_kernels(cl_icd_dispatch& table);   // and their arguments

@@ -43,15 +43,8 @@ cl_kernel CL_API_CALL clone_kernel(cl_kernel source, cl_int* error) {
   return kernel;
 }
 
-cl_int CL_API_CALL retain_kernel(cl_kernel kernel) {
-  noting([&] { recorder->kernels.retain(kernel); });
-  return driver.clRetainKernel(kernel);
-}
-
-cl_int CL_API_CALL release_kernel(cl_kernel kernel) {
-  noting([&] { recorder->kernels.release(kernel); });
-  return driver.clReleaseKernel(kernel);
-}
+void retain_kernel(cl_kernel kernel) { recorder->kernels.retain(kernel); }
+void release_kernel(cl_kernel kernel) { recorder->kernels.release(kernel); }
 
 // What a parameter is follows from what may be said of it: NULL is no value of a number, and local memory has
 // no value. clGetKernelArgInfo knows only where the program was built with an option for it.
@@ -92,8 +85,8 @@ void watch_kernels(cl_icd_dispatch& table) {
   table.clCreateKernel = create_kernel;
   table.clCreateKernelsInProgram = create_kernels;
   table.clCloneKernel = clone_kernel;
-  table.clRetainKernel = retain_kernel;
-  table.clReleaseKernel = release_kernel;
+  table.clRetainKernel = noted_first<&cl_icd_dispatch::clRetainKernel, retain_kernel>;
+  table.clReleaseKernel = noted_first<&cl_icd_dispatch::clReleaseKernel, release_kernel>;
   table.clSetKernelArg = set_argument;
   table.clSetKernelArgSVMPointer = set_shared_argument;
   table.clSetKernelExecInfo = set_execution_info;

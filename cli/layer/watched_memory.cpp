@@ -17,26 +17,8 @@ struct Makes<member, Handle (*cl_icd_dispatch::*)(Arguments...)> {
   }
 };
 
-cl_int CL_API_CALL retain_memory(cl_mem memory) {
-  noting([&] { recorder->handles.retain(memory); });
-  return driver.clRetainMemObject(memory);
-}
-
-// Released here first: behind the driver's release another thread may get a new object of the same handle.
-cl_int CL_API_CALL release_memory(cl_mem memory) {
-  noting([&] { recorder->handles.release(memory); });
-  return driver.clReleaseMemObject(memory);
-}
-
-cl_int CL_API_CALL retain_sampler(cl_sampler sampler) {
-  noting([&] { recorder->handles.retain(sampler); });
-  return driver.clRetainSampler(sampler);
-}
-
-cl_int CL_API_CALL release_sampler(cl_sampler sampler) {
-  noting([&] { recorder->handles.release(sampler); });
-  return driver.clReleaseSampler(sampler);
-}
+void retain_memory(const void* handle) { recorder->handles.retain(handle); }
+void release_memory(const void* handle) { recorder->handles.release(handle); }
 
 template <auto... members>
 void watch_making(cl_icd_dispatch& table) {
@@ -53,10 +35,10 @@ void watch_memory(cl_icd_dispatch& table) {
                &Table::clCreateFromGLTexture2D, &Table::clCreateFromGLTexture3D,
                &Table::clCreateFromGLTexture, &Table::clCreateFromGLRenderbuffer, &Table::clCreateSampler,
                &Table::clCreateSamplerWithProperties>(table);
-  table.clRetainMemObject = retain_memory;
-  table.clReleaseMemObject = release_memory;
-  table.clRetainSampler = retain_sampler;
-  table.clReleaseSampler = release_sampler;
+  table.clRetainMemObject = noted_first<&Table::clRetainMemObject, retain_memory>;
+  table.clReleaseMemObject = noted_first<&Table::clReleaseMemObject, release_memory>;
+  table.clRetainSampler = noted_first<&Table::clRetainSampler, retain_memory>;
+  table.clReleaseSampler = noted_first<&Table::clReleaseSampler, release_memory>;
 }
 
 }  // namespace warpgrain::layer

@@ -45,15 +45,8 @@ cl_program CL_API_CALL create_program(cl_context context, cl_uint count, const c
   return program;
 }
 
-cl_int CL_API_CALL retain_program(cl_program program) {
-  noting([&] { recorder->programs.retain(program); });
-  return driver.clRetainProgram(program);
-}
-
-cl_int CL_API_CALL release_program(cl_program program) {
-  noting([&] { recorder->programs.release(program); });
-  return driver.clReleaseProgram(program);
-}
+void retain_program(cl_program program) { recorder->programs.retain(program); }
+void release_program(cl_program program) { recorder->programs.release(program); }
 
 // Noted before the driver builds: it may call back, or build in the background.
 cl_int CL_API_CALL build_program(cl_program program, cl_uint n_devices, const cl_device_id* devices,
@@ -92,8 +85,8 @@ void watch_programs(cl_icd_dispatch& table) {
   table.clCreateProgramWithBinary = MakesUnknown<&Table::clCreateProgramWithBinary>::call;
   table.clCreateProgramWithBuiltInKernels = MakesUnknown<&Table::clCreateProgramWithBuiltInKernels>::call;
   table.clCreateProgramWithIL = MakesUnknown<&Table::clCreateProgramWithIL>::call;
-  table.clRetainProgram = retain_program;
-  table.clReleaseProgram = release_program;
+  table.clRetainProgram = noted_first<&Table::clRetainProgram, retain_program>;
+  table.clReleaseProgram = noted_first<&Table::clReleaseProgram, release_program>;
   table.clBuildProgram = build_program;
   table.clCompileProgram = compile_program;
   table.clLinkProgram = link_program;
