@@ -141,6 +141,9 @@ struct WeightsUsed {
   std::uint64_t predicates_assumed = 0;
   // How often YIELD made another group of a warp run, by a rule of the machine that is known in part.
   std::uint64_t turns_assumed = 0;
+  // How often the trips that a lane had left would have let it go either way, and it took that with more
+  // copies of an unrolled loop's body.
+  std::uint64_t trips_assumed = 0;
   bool operator==(const WeightsUsed&) const = default;
 };
 

@@ -16,6 +16,7 @@ nlohmann::ordered_json to_json(const profiler::WeightsUsed& weights) {
   json["fast_paths_assumed"] = weights.fast_paths;
   json["predicates_assumed"] = weights.predicates_assumed;
   json["turns_assumed"] = weights.turns_assumed;
+  json["trips_assumed"] = weights.trips_assumed;
   json["requests_of_ptx"] = weights.requests_of_ptx;
   return json;
 }
@@ -31,7 +32,8 @@ profiler::WeightsUsed weights_from(const JsonReader& place) {
           .fast_paths = place.at("fast_paths_assumed").whole_number(),
           .requests_of_ptx = optional_whole_number(place, "requests_of_ptx").value_or(0),
           .predicates_assumed = optional_whole_number(place, "predicates_assumed").value_or(0),
-          .turns_assumed = optional_whole_number(place, "turns_assumed").value_or(0)};
+          .turns_assumed = optional_whole_number(place, "turns_assumed").value_or(0),
+          .trips_assumed = optional_whole_number(place, "trips_assumed").value_or(0)};
 }
 
 }  // namespace warpgrain::reports

@@ -21,6 +21,9 @@ std::string line_of(const profiler::WeightsUsed& weights) {
   if (weights.turns_assumed != 0)
     line +=
         fmt::format("; {} turns of groups of lanes after a YIELD assumed", count_text(weights.turns_assumed));
+  if (weights.trips_assumed != 0)
+    line +=
+        fmt::format("; {} ways of lanes through unrolled loops assumed", count_text(weights.trips_assumed));
   if (weights.requests_of_ptx != 0)
     line += fmt::format("; requests of {} accesses are those of the PTX", weights.requests_of_ptx);
   return line;

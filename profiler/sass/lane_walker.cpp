@@ -246,8 +246,11 @@ bool LaneWalker::take_trips(const Node& node) {
   const auto usual = [](const TripSide& a, const TripSide& b) {
     return a.most != b.most ? a.most > b.most : a.copies < b.copies;
   };
-  if (taken && usual(node.taken_side, node.next_side)) return true;
-  if (taken && usual(node.next_side, node.taken_side)) return false;
+  const bool is_taken = usual(node.taken_side, node.next_side);
+  if (taken && is_taken != usual(node.next_side, node.taken_side)) {
+    ++counters_.trips_assumed;
+    return is_taken;
+  }
   ++counters_.underived[index_of(node)];
   return false;
 }

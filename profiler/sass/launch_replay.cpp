@@ -87,6 +87,7 @@ void LaunchReplay::finish(const SourceLines& source, const WarpCounters& of_ptx,
     used_.underived = sum.unresolved();
     used_.fast_paths = sum.fast_paths;
     used_.turns_assumed = sum.turns_assumed;
+    used_.trips_assumed = sum.trips_assumed;
     const std::vector<std::string> found = contradictions(*kernel_, sum, of_ptx);
     if (used_.underived != 0) {
       used_.reason = gaps(*kernel_, sum);

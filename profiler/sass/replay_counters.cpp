@@ -32,6 +32,7 @@ void ReplayCounters::add(const ReplayCounters& other) {
   stuck += other.stuck;
   requests.add(other.requests);
   turns_assumed += other.turns_assumed;
+  trips_assumed += other.trips_assumed;
   fast_paths += other.fast_paths;
 }
 

@@ -42,6 +42,7 @@ struct ReplayCounters {
   std::uint64_t stuck = 0;                     // meetings that lanes were expected at that could not come
   RequestCounters requests;
   std::uint64_t turns_assumed = 0;  // groups chosen by the rule of YIELD, which is known in part
+  std::uint64_t trips_assumed = 0;  // ways that lanes took though their trips fit the other, too
   std::uint64_t fast_paths = 0;  // choices of lanes that were taken not to need a routine for rare operands
 };
 
