@@ -5,13 +5,24 @@ warpgrain.kinds = {};
 (function () {
   const shades = warpgrain.shades;
 
+  // The library's text is in the page, and run for the first chart: it takes longer than all else that a page does to open.
+  const need_library = function () {
+    if (typeof echarts !== "undefined") return;
+    const code = document.createElement("script");
+    code.textContent = document.getElementById("chart_library").textContent;
+    document.head.append(code);
+  };
+  warpgrain.chart_in = function (element) {
+    return typeof echarts === "undefined" ? undefined : echarts.getInstanceByDom(element);
+  };
+
   const name_of = function (element) {
     const heading = element.closest("td") ? null : element.parentElement.querySelector("h3");
     const title = element.dataset.title || (heading ? heading.textContent : "chart");
     return title.toLowerCase().replace(/[^a-z0-9]+/g, "_").slice(0, 40);
   };
   const svg_of = function (element) {
-    return echarts.getInstanceByDom(element).getDataURL({ type: "svg", backgroundColor: shades.paper });
+    return warpgrain.chart_in(element).getDataURL({ type: "svg", backgroundColor: shades.paper });
   };
   const save_png = function (element) {
     const picture = new Image(), times = 2;
@@ -35,7 +46,8 @@ warpgrain.kinds = {};
 
   // `rows` of the data that is drawn, the first with headings. A second call draws anew.
   warpgrain.draw = function (element, rows, option) {
-    const old = echarts.getInstanceByDom(element);
+    need_library();
+    const old = warpgrain.chart_in(element);
     if (old) old.dispose();
     else add_exports(element);
     element.rows = rows;

@@ -19,7 +19,7 @@
 (function () {
   const fit = function () {
     document.querySelectorAll("div.chart").forEach(function (element) {
-      const chart = echarts.getInstanceByDom(element);
+      const chart = warpgrain.chart_in(element);
       if (chart) chart.resize();
     });
   };

@@ -14,6 +14,7 @@
     };
     const chosen = { x: column(data.x || "warp instructions", 0), y: column(data.y || "max error", data.columns.length - 1) };
     const bar_of_choices = document.createElement("p");
+    bar_of_choices.className = "controls";
     ["x", "y"].forEach(function (side) {
       const select = document.createElement("select");
       select.setAttribute("aria-label", side + " axis");
