@@ -13,10 +13,11 @@ import re
 import statistics
 import sys
 
+from page_block import with_block
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGE = ROOT / "docs" / "counters.md"
 READINGS = ROOT / "reports" / "measured" / "h100-variants"
-BEGIN, END = "<!-- begin tables -->", "<!-- end tables -->"
 SETS = (("bed131072", "A settled bed"), ("earlier_bed131072", "The same, counted earlier on a bed of its own"), ("shear131072", "Flowing grains"))
 METRICS = ("warp_instructions", "thread_instructions", "simt_efficiency", "sfu_instructions", "branches", "divergent_branches")
 
@@ -66,11 +67,7 @@ def table(name, title):
 def main():
     if sys.argv[1:] not in (["--write"], ["--check"]):
         sys.exit(__doc__)
-    before, begin, rest = PAGE.read_text().partition(BEGIN)
-    _, end, after = rest.partition(END)
-    if not begin or not end:
-        sys.exit(f"{PAGE}: no lines {BEGIN} and {END}")
-    page = f"{before}{BEGIN}\n" + "\n".join(table(*s) for s in SETS) + f"{END}{after}"
+    page = with_block(PAGE, "tables", "\n".join(table(*s) for s in SETS))
     if sys.argv[1] == "--write":
         PAGE.write_text(page)
     elif page != PAGE.read_text():

@@ -25,7 +25,8 @@ import subprocess
 import sys
 import tempfile
 
-BEGIN, END = "<!-- begin tables -->", "<!-- end tables -->"
+from page_block import with_block
+
 EXAMPLES = "/usr/share/doc/python-pyopencl-doc/examples"
 # What is recorded, with the options of record. Debian's python3, whatever else is in PATH.
 PROGRAMS = (
@@ -169,8 +170,7 @@ def main():
         sys.stdout.write(text)
         return
     page = pathlib.Path(arguments.page)
-    before, rest = page.read_text().split(BEGIN)
-    page.write_text(f"{before}{BEGIN}\n{text}{END}{rest.split(END)[1]}")
+    page.write_text(with_block(page, "tables", text))
 
 
 if __name__ == "__main__":

@@ -16,7 +16,8 @@ import subprocess
 import sys
 import tempfile
 
-BEGIN, END = "<!-- begin savings -->", "<!-- end savings -->"
+from page_block import with_block
+
 QUANTITIES = (
     ("bytes of device memory a particle", ",.0f"),
     ("bytes moved a particle and step", ",.0f"),
@@ -127,11 +128,7 @@ def main():
     if not arguments.page:
         print(text, end="")
         return
-    before, begin, rest = arguments.page.read_text().partition(BEGIN)
-    _, end, after = rest.partition(END)
-    if not begin or not end:
-        sys.exit(f"{arguments.page}: no lines {BEGIN} and {END}")
-    arguments.page.write_text(f"{before}{BEGIN}\n{text}{END}{after}")
+    arguments.page.write_text(with_block(arguments.page, "savings", text))
 
 
 if __name__ == "__main__":

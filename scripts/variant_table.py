@@ -3,10 +3,10 @@
 
     scripts/variant_table.py docs/variants.md TITLE=FOLDER[=READINGS]...
 
-writes, for each folder, a row a variant between the page's lines <!-- begin tables --> and <!-- end tables -->; READINGS is
-what the names of `warpgrain measure` documents of the same scene begin with, whose median step stands beside:
-what the force evaluation between particles costs (its kernels are those whose names begin with force_ or list_,
-walls aside), what the whole step costs, and how exact it is. Without a page the tables go to stdout.
+writes, for each folder, a row a variant between the page's lines <!-- begin tables --> and <!-- end tables -->: what the force
+evaluation between particles costs (its kernels are those whose names begin with force_ or list_, walls aside), what the whole
+step costs, and how exact it is. READINGS is what the names of `warpgrain measure` documents of the same scene begin with, whose
+median step stands beside. Without a page the tables go to stdout.
 """
 import collections
 import json
@@ -14,7 +14,8 @@ import pathlib
 import re
 import sys
 
-BEGIN, END = "<!-- begin tables -->", "<!-- end tables -->"
+from page_block import with_block
+
 HEADINGS = (
     "variant",
     "efficiency between particles",
@@ -145,11 +146,7 @@ def main():
         print(text)
         return
     page = pathlib.Path(pages[0])
-    before, begin, rest = page.read_text().partition(BEGIN)
-    _, end, after = rest.partition(END)
-    if not begin or not end:
-        sys.exit(f"{page}: no lines {BEGIN} and {END}")
-    page.write_text(f"{before}{BEGIN}\n{text}{END}{after}")
+    page.write_text(with_block(page, "tables", text))
 
 
 if __name__ == "__main__":
