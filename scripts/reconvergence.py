@@ -7,6 +7,7 @@ by kernel, of how many warp and thread instructions are exact. Kernels `yield_..
 machine code, which their PTX does not say. Needs no GPU; without ptxas the status is 77.
 
     scripts/reconvergence.py [--every N] [KERNEL...]      each N-th launch, all without
+    scripts/reconvergence.py --check | --write            holds a part of the launches against tests/exactness/reconvergence.json
 """
 
 import argparse
@@ -24,6 +25,8 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SKIP = 77
+EXACT = ROOT / "tests/exactness/reconvergence.json"  # of each kernel: launches, replayed, warps exact, threads exact
+CHECKED_EVERY = 4
 
 
 def write_launch(folder, row, choices):
@@ -56,8 +59,12 @@ def main():
     parser.add_argument("kernels", nargs="*", metavar="KERNEL")
     parser.add_argument("--warpgrain", default=ROOT / "build/release/cli/warpgrain")
     parser.add_argument("--every", type=int, default=1, metavar="N")
+    parser.add_argument("--check", action="store_true")
+    parser.add_argument("--write", action="store_true")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     arguments = parser.parse_args()
+    if arguments.check or arguments.write:
+        arguments.every = CHECKED_EVERY
     if not shutil.which("ptxas") and not os.access("/usr/local/cuda/bin/ptxas", os.X_OK):
         print("skipped: no ptxas on PATH or in /usr/local/cuda/bin", file=sys.stderr)
         sys.exit(SKIP)
@@ -85,6 +92,15 @@ def main():
             found[1] += count is not None
             found[2] += count is not None and count[0] == int(row["warp_instructions"])
             found[3] += count is not None and count[1] == int(row["thread_instructions"])
+    if arguments.write:
+        EXACT.write_text("{\n" + ",\n".join(f'"{key}": {json.dumps(sums[key])}' for key in sorted(sums)) + "\n}\n", encoding="utf-8")
+    if arguments.check:
+        less = [f"{key}: {sums.get(key)}, expected {known}" for key, known in json.loads(EXACT.read_text(encoding="utf-8")).items()
+                if key not in sums or any(now < before for now, before in zip(sums[key], known))]
+        if less:
+            sys.exit("\n".join(less))
+        print(f"{len(launches)} launches are as exact as they were")
+        return
     print(f"{'kernel':20} launches replayed warps exact threads exact")
     for key in sorted(sums, key=lambda key: (key.startswith("all"), key)):
         print(f"{key:20} {sums[key][0]:8} {sums[key][1]:8} {sums[key][2]:11} {sums[key][3]:13}")
