@@ -12,10 +12,6 @@ bool is_same_place(const WarpGroup& a, const WarpGroup& b) {
   return a.block == b.block && a.stand == b.stand && a.frame == b.frame;
 }
 
-std::uint32_t lowest_lane(const WarpGroup& group) {
-  return static_cast<std::uint32_t>(std::countr_zero(group.lanes));
-}
-
 }  // namespace
 
 WarpGroups::WarpGroups(const CodeGraph& code, ReplayCounters& counters)
@@ -25,7 +21,6 @@ void WarpGroups::begin(Mask lanes) {
   alive_ = lanes;
   yielded_lanes_ = 0;
   next_lane_ = 0;
-  any_chosen_ = false;
   barriers_.clear();
   turn_ = WarpGroup{lanes, 0, no_frame, partings_.root(counters_.never_used(), ~lanes)};
 }
@@ -150,6 +145,7 @@ bool WarpGroups::yield(const WarpGroup& group) {
     yielded_lanes_ &= ~group.lanes;
     return false;
   }
+  pass_lanes(other);
   ++counters_.turns_assumed;
   turn_ = other;
   return true;
@@ -194,18 +190,24 @@ bool WarpGroups::choose_place(WarpGroup& group) {
 
 bool WarpGroups::choose_yielded(WarpGroup& group, const WarpGroup* yields) {
   if (yielded_.empty()) return false;
-  if (!std::exchange(any_chosen_, true)) next_lane_ = lowest_lane(yielded_.front());
   const auto distance = [&](const WarpGroup& candidate) {
     return std::countr_zero(std::rotr(candidate.lanes, static_cast<int>(next_lane_)));
   };
   const auto chosen = std::ranges::min_element(yielded_, {}, distance);
-  next_lane_ = (next_lane_ + static_cast<std::uint32_t>(distance(*chosen)) + 1) % replayed_warp_width;
+  next_lane_ = (next_lane_ + static_cast<std::uint32_t>(distance(*chosen))) % replayed_warp_width;
   group = *chosen;
   yielded_.erase(chosen);
   if (yields != nullptr) yielded_.push_back(*yields);
   join_those_at(yielded_, group);
   yielded_lanes_ &= ~group.lanes;
+  pass_lanes(group);
   return true;
+}
+
+// The turn after that of lanes that have been chosen is that of the first behind them.
+void WarpGroups::pass_lanes(const WarpGroup& chosen) {
+  const auto passed = std::countr_one(std::rotr(chosen.lanes, static_cast<int>(next_lane_)));
+  next_lane_ = (next_lane_ + static_cast<std::uint32_t>(passed)) % replayed_warp_width;
 }
 
 // Nobody can go on. WARPSYNC's mask is in a register that the replay does not know: it meets those that

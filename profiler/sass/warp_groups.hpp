@@ -12,8 +12,9 @@
 // * A BSYNC holds lanes until those of its barrier have all come, ended, left with BREAK or yielded. Those
 //   that the barrier does not know pass. Lanes that others let go (BREAK, EXIT) issue the BSYNC again; where
 //   BREAK lets fewer lanes go than have left, these run first.
-// * YIELD lets others run. Lanes that have yielded run when no others can, those at one place as one: first
-//   who yielded first, from then on the lane behind the one that was chosen last. This rule is known in part:
+// * YIELD lets others run. Lanes that have yielded run when no others can, those at one place as one, in
+// turns
+//   that go round by lane: from lane 0 past each lane that a YIELD has let run. This rule is known in part:
 //   it gives the order of most kernels with a YIELD that were tried, not of all. Where it decides, the
 //   counters count it (`turns_assumed`).
 // Lanes run on as one only within one call.
@@ -87,6 +88,7 @@ class WarpGroups {
   bool choose(WarpGroup& group, const WarpGroup* yields);
   bool choose_place(WarpGroup& group);
   bool choose_yielded(WarpGroup& group, const WarpGroup* yields);
+  void pass_lanes(const WarpGroup& chosen);
   void join_those_at(std::vector<WarpGroup>& groups, WarpGroup& group);
   void force(WarpGroup& group);
 
@@ -96,7 +98,6 @@ class WarpGroups {
   std::uint64_t n_partings_ = 0;
   Mask alive_ = 0, yielded_lanes_ = 0;
   std::uint32_t next_lane_ = 0;       // to look at first among those that have yielded
-  bool any_chosen_ = false;           // of those that have yielded
   std::optional<WarpGroup> turn_;     // whose turn it is before all others
   std::optional<WarpGroup> put_off_;  // by the last branch
   std::vector<WarpGroup> standing_;   // can run
