@@ -4,32 +4,6 @@
 
 namespace warpgrain::profiler {
 
-Partings::Node Partings::make(Node parent, std::uint32_t branch, std::uint64_t missing,
-                              std::uint64_t parting) {
-  Node node;
-  if (free_.empty()) {
-    node = static_cast<Node>(nodes_.size());
-    nodes_.emplace_back();
-  } else {
-    node = free_.back();
-    free_.pop_back();
-  }
-  const std::uint32_t depth = parent == none ? 0 : nodes_[parent].depth + 1;
-  nodes_[node] = {parent, 1, branch, depth, missing, parting, 0};
-  return node;
-}
-
-void Partings::release(Node node) {
-  while (node != none) {
-    Entry& entry = nodes_[node];
-    if (--entry.references != 0) return;
-    lost_[entry.branch] += entry.instructions * static_cast<std::uint64_t>(std::popcount(entry.missing));
-    if (entry.parent != none) nodes_[entry.parent].instructions += entry.instructions;
-    free_.push_back(node);
-    node = entry.parent;
-  }
-}
-
 Partings::Node Partings::join(Node a, Node b, std::uint64_t lanes) {
   Node common_a = a, common_b = b;
   std::uint64_t parted = 0;  // from a, since a and b were one group
@@ -51,11 +25,8 @@ Partings::Node Partings::join(Node a, Node b, std::uint64_t lanes) {
 
 // Lanes of `rest` were parted from both; of the two partings the later counts.
 Partings::Node Partings::join_rest(Node a, Node b, Node common, std::uint64_t rest) {
-  struct Parting {
-    std::uint64_t number, missing;
-    std::uint32_t branch;
-  };
-  std::vector<Parting> partings;
+  std::vector<Parting>& partings = scratch_;
+  partings.clear();
   for (Node node : {a, b})
     for (; node != common; node = nodes_[node].parent)
       if ((nodes_[node].missing & rest) != 0)

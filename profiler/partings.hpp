@@ -55,12 +55,46 @@ class Partings {
     std::uint64_t instructions = 0;
   };
 
+  struct Parting {
+    std::uint64_t number, missing;
+    std::uint32_t branch;
+  };
+
   Node make(Node parent, std::uint32_t branch, std::uint64_t missing, std::uint64_t parting);
   Node join_rest(Node a, Node b, Node common, std::uint64_t rest);
 
   std::vector<std::uint64_t>& lost_;
   std::vector<Entry> nodes_;
   std::vector<Node> free_;
+  std::vector<Parting> scratch_;  // of join_rest
 };
+
+// These are for every group of every warp; here so that callers compiled for a processor count bits with its
+// instruction.
+inline Partings::Node Partings::make(Node parent, std::uint32_t branch, std::uint64_t missing,
+                                     std::uint64_t parting) {
+  Node node;
+  if (free_.empty()) {
+    node = static_cast<Node>(nodes_.size());
+    nodes_.emplace_back();
+  } else {
+    node = free_.back();
+    free_.pop_back();
+  }
+  const std::uint32_t depth = parent == none ? 0 : nodes_[parent].depth + 1;
+  nodes_[node] = {parent, 1, branch, depth, missing, parting, 0};
+  return node;
+}
+
+inline void Partings::release(Node node) {
+  while (node != none) {
+    Entry& entry = nodes_[node];
+    if (--entry.references != 0) return;
+    lost_[entry.branch] += entry.instructions * static_cast<std::uint64_t>(std::popcount(entry.missing));
+    if (entry.parent != none) nodes_[entry.parent].instructions += entry.instructions;
+    free_.push_back(node);
+    node = entry.parent;
+  }
+}
 
 }  // namespace warpgrain::profiler

@@ -23,6 +23,7 @@ LaneWalker::LaneWalker(const ReplayPlan& plan, const PtxDecisions& decisions, Re
     });
     run_end_.push_back(end);
     runs_.emplace_back();
+    decides_.push_back(end != no_block ? 1 : 0);
     if (end != no_block) runs_.back() = {decisions.at_end_of(end), graph.blocks[end].successors[0]};
   }
   for (const Node& node : plan.nodes)
@@ -32,14 +33,18 @@ LaneWalker::LaneWalker(const ReplayPlan& plan, const PtxDecisions& decisions, Re
     if (node.rule == Rule::decision) follows_[node.decision] = true;
     record_of_.push_back(node.rule == Rule::path ? paths_.record_of(node.line) : no_record);
   }
-  for (const Node& node : plan.nodes) {
-    Step& step = steps_.emplace_back();
+  steps_.resize(plan.nodes.size());
+  for (std::size_t n = 0; n < plan.nodes.size(); ++n) {
+    const Node& node = plan.nodes[n];
     if (node.rule != Rule::decision) continue;
-    step = {node.decision,
-            {node.next.node, node.taken.node},
-            {&node.next, &node.taken},
-            node.taken_way,
-            {!node.next.events.empty(), !node.taken.events.empty()}};
+    Step& step = steps_[n];
+    step.decision = node.decision;
+    step.taken_way = static_cast<std::uint8_t>(node.taken_way);
+    for (std::uint32_t went = 0; went < 2; ++went) {
+      const Way& way = went == node.taken_way ? node.taken : node.next;
+      step.has_events[went] = !way.events.empty();
+      step.to[went] = steps_.data() + way.node;
+    }
   }
   note_folded(decisions);
 }
@@ -98,7 +103,7 @@ inline bool LaneWalker::take_decision(const Node& node) {
   return false;
 }
 
-inline void LaneWalker::pass(const Way& way) {
+inline std::uint32_t LaneWalker::pass(const Way& way) {
   for (const TripEvent& event : way.events) {
     std::int64_t& left = trips_left_[event.loop];
     if (event.copies == 0)
@@ -107,57 +112,83 @@ inline void LaneWalker::pass(const Way& way) {
       left -= event.copies;
     if (left < 0) fits_ = false;
   }
+  return way.node;
 }
 
-const Way* LaneWalker::take_decisions(const Way* way, std::size_t& steps, std::size_t budget,
-                                      Choices& choices) {
+// A pass of its own, without branches that cannot be foretold: no entry has to wait for the one before it.
+void LaneWalker::note_decisions() {
+  // Members are copied so that they stay in registers.
+  const BlockIndex* const begin = begin_;
+  const std::uint8_t* const decides = decides_.data();
+  std::uint32_t* decided = decided_.data();
+  std::size_t n = 0, room = decided_.size();
+  std::uint32_t k = 0;
+  for (; begin[k] != trace_end; ++k) {
+    decided[n] = k;
+    n += decides[begin[k]];
+    if (n < room) continue;
+    decided_.resize(room *= 2);
+    decided = decided_.data();
+  }
+  decided[n] = k;
+  next_decided_ = decided;
+}
+
+std::uint32_t LaneWalker::take_decisions(std::uint32_t from, std::size_t& steps, std::size_t budget,
+                                         Choices& choices) {
   // Members are copied so that they stay in registers.
   const Step* const all = steps_.data();
   const Run* const runs = runs_.data();
-  const BlockIndex* trace = trace_;
-  std::uint32_t at = way->node;
+  const BlockIndex* const begin = begin_;
+  const Step* step = all + from;
+  const std::uint32_t* next = next_decided_;
+  std::uint32_t left_behind = 0;  // entries
+  const auto catch_up = [&] {
+    left_behind = static_cast<std::uint32_t>(trace_ - begin);
+    while (*next < left_behind) ++next;
+  };
+  catch_up();
   const Choices::Room room = choices.room();
   const std::size_t most = std::min(room.count, budget - steps);
   std::size_t n = 0;
-  for (; n < most && all[at].decision != no_decision; ++n) {
-    const Step& step = all[at];
-    // The usual case: nothing but blocks without a decision stands before it.
-    const BlockIndex* entry = trace;
-    while (*entry != trace_end && runs[*entry].decision == no_decision) ++entry;
-    std::uint32_t taken = 0;
-    if (*entry != trace_end && runs[*entry].decision == step.decision) {
-      trace = entry + 1;
+  for (; n < most && step->decision != no_decision; ++n) {
+    const BlockIndex* const entry = begin + *next;
+    std::uint32_t went = 0;
+    if (*entry != trace_end && runs[*entry].decision == step->decision) {  // the usual case
       // No branch: which way lanes go cannot be foretold.
-      const std::uint32_t went = *trace == runs[*entry].first_way ? 0 : 1;
-      taken = 1 ^ went ^ step.taken_way;
+      went = *(entry + 1) == runs[*entry].first_way ? 0 : 1;
+      left_behind = *next++ + 1;
     } else {
-      trace_ = trace;
-      taken = take_decision(plan_.nodes[at]) ? 1 : 0;
-      trace = trace_;
+      trace_ = begin + left_behind;
+      went = take_decision(plan_.nodes[static_cast<std::size_t>(step - all)]) ? step->taken_way
+                                                                              : 1U ^ step->taken_way;
+      catch_up();
     }
+    const std::uint32_t taken = 1U ^ went ^ step->taken_way;
     room.ways[n] = static_cast<std::uint16_t>(taken);
-    if (room.entries != nullptr) room.entries[n] = static_cast<std::uint32_t>(trace - begin_);
-    if (step.has_events[taken]) {
-      trace_ = trace;  // from here trips are counted
-      pass(*step.way[taken]);
+    if (room.entries != nullptr) room.entries[n] = left_behind;
+    if (step->has_events[went]) {
+      trace_ = begin + left_behind;  // from here trips are counted
+      const Node& node = plan_.nodes[static_cast<std::size_t>(step - all)];
+      pass(taken != 0 ? node.taken : node.next);
     }
-    way = step.way[taken];
-    at = step.node[taken];
+    step = step->to[went];
   }
-  trace_ = trace;
+  trace_ = begin + left_behind;
+  next_decided_ = next;
   steps += n;
   choices.added(n);
-  return way;
+  return static_cast<std::uint32_t>(step - all);
 }
 
 void LaneWalker::walk(const LaneTrace& lane, Choices& choices) {
   const BlockIndex* const trace = lane.blocks;
   begin_ = trace_ = trace;
+  note_decisions();
   paths_.read(lane);
   returns_.clear();
   fits_ = true;
-  pass(plan_.entry);
-  const Way* way = &plan_.entry;
+  std::uint32_t at = pass(plan_.entry);
   // A lane that takes no guard it should may go round and round.
   std::size_t steps = 0, budget = 1024;
   for (;;) {
@@ -166,8 +197,8 @@ void LaneWalker::walk(const LaneTrace& lane, Choices& choices) {
       for (const BlockIndex* entry = trace; *entry != trace_end; ++entry) budget += 64;
       if (steps >= budget) break;
     }
-    way = take_decisions(way, steps, budget, choices);
-    const Node& node = plan_.nodes[way->node];
+    at = take_decisions(at, steps, budget, choices);
+    const Node& node = plan_.nodes[at];
     if (steps >= budget || node.rule == Rule::decision) continue;  // no room left, or too many
     ++steps;
     bool taken = false;
@@ -177,7 +208,7 @@ void LaneWalker::walk(const LaneTrace& lane, Choices& choices) {
         choose(taken ? 1 : 0, choices);
         break;
       case Rule::unknown:
-        ++counters_.underived[way->node];
+        ++counters_.underived[at];
         choose(0, choices);
         break;
       case Rule::fast_path:
@@ -185,7 +216,7 @@ void LaneWalker::walk(const LaneTrace& lane, Choices& choices) {
         taken = node.takes_fast_path;
         break;
       case Rule::path:
-        path_ = paths_.next(record_of_[way->node]);
+        path_ = paths_.next(record_of_[at]);
         if (lane.addresses == nullptr) ++counters_.fast_paths;
         taken = (path_ == DivisionPath::in_line) == node.takes_fast_path;
         choose(taken ? 1 : 0, choices);
@@ -200,12 +231,11 @@ void LaneWalker::walk(const LaneTrace& lane, Choices& choices) {
       case Rule::indirect: {
         const std::uint32_t entry = take_indirect(node);
         choose(entry, choices);
-        way = &node.table[entry];
-        pass(*way);
+        at = pass(node.table[entry]);
         continue;
       }
       case Rule::call:
-        returns_.push_back(way->node);
+        returns_.push_back(at);
         taken = true;
         break;
       case Rule::ret:
@@ -213,9 +243,8 @@ void LaneWalker::walk(const LaneTrace& lane, Choices& choices) {
           ++counters_.out_of_step;
           return;
         }
-        way = &plan_.nodes[returns_.back()].next;
+        at = pass(plan_.nodes[returns_.back()].next);
         returns_.pop_back();
-        pass(*way);
         continue;
       case Rule::end:
         for (; *trace_ != trace_end; ++trace_)
@@ -223,8 +252,7 @@ void LaneWalker::walk(const LaneTrace& lane, Choices& choices) {
         if (!fits_) ++counters_.out_of_step;
         return;
     }
-    way = taken ? &node.taken : &node.next;
-    pass(*way);
+    at = pass(taken ? node.taken : node.next);
   }
   ++counters_.out_of_step;
 }

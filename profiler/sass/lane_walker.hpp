@@ -18,14 +18,16 @@ class Choices {
  public:
   static constexpr std::uint16_t none = 0xFFFF;  // behind the last one of a lane
 
-  explicit Choices(bool with_entries) : with_entries_(with_entries) {}
-
   std::size_t size() const { return size_; }
   const std::uint16_t* ways() const { return ways_.data(); }
   // How many entries of its trace the lane had left behind when it chose, by place in ways(); kept only if
   // that was asked for.
   std::uint32_t entries(std::size_t choice) const { return entries_[choice]; }
-  void clear() { size_ = 0; }
+  void clear(bool with_entries) {
+    size_ = 0;
+    if (with_entries) entries_.resize(ways_.size());
+    with_entries_ = with_entries;
+  }
   void add(std::uint32_t way, std::uint32_t left_behind) {
     const Room at = room();
     at.ways[0] = static_cast<std::uint16_t>(way);
@@ -50,7 +52,7 @@ class Choices {
     ways_.resize(2 * size_ + 1024);
     if (with_entries_) entries_.resize(ways_.size());
   }
-  bool with_entries_;
+  bool with_entries_ = false;
   std::vector<std::uint16_t> ways_;
   std::vector<std::uint32_t> entries_;
   std::size_t size_ = 0;
@@ -71,23 +73,25 @@ class LaneWalker {
     std::uint32_t first_way = no_code;     // the block to which the first way of the decision goes
   };
 
-  // A node that asks for a decision, as small as walking takes: most steps are of these.
+  // What walking needs of a node that asks for a decision: most steps are of these. Which step comes next is
+  // known when the last one is, so what leads there is one load: all is by the way of the decision that the
+  // lane went.
   struct Step {
     std::uint32_t decision = no_decision;  // none: the node has another rule
-    std::array<std::uint32_t, 2> node{};   // that follows where the lane does not take the guard, or does
-    std::array<const Way*, 2> way{};       // the same
-    std::uint32_t taken_way = 0;
+    std::uint8_t taken_way = 0;            // of the decision, that takes the guard
     std::array<bool, 2> has_events{};
+    std::array<const Step*, 2> to{};
   };
 
   void choose(std::uint32_t way, Choices& choices) const;
-  // Takes one decision after another as long as they are in the trace; the way to the first other node.
-  const Way* take_decisions(const Way* way, std::size_t& steps, std::size_t budget, Choices& choices);
+  void note_decisions();
+  // Takes one decision after another from a node on; the first other node.
+  std::uint32_t take_decisions(std::uint32_t from, std::size_t& steps, std::size_t budget, Choices& choices);
   void note_folded(const PtxDecisions& decisions);
   bool take_decision(const Node& node);
   bool take_trips(const Node& node);
   std::uint32_t take_indirect(const Node& node);
-  void pass(const Way& way);
+  std::uint32_t pass(const Way& way);  // the node that it leads to
   std::int64_t count_trips(const TripLoop& loop) const;
   std::uint32_t index_of(const Node& node) const;
 
@@ -95,16 +99,20 @@ class LaneWalker {
   ReplayCounters& counters_;
   std::vector<Step> steps_;             // [nodes]
   std::vector<Run> runs_;               // [blocks of the PTX]
+  std::vector<std::uint8_t> decides_;   // [blocks of the PTX]: 1 if its run ends in a decision
   std::vector<std::uint32_t> run_end_;  // [blocks of the PTX]: the block with the decision
   std::vector<bool> has_guard_;         // [decisions]: some guard or table stands for it
   std::vector<bool> follows_;           // [decisions]: some guard does what it does, each time
   // [decisions][blocks of the PTX]: 1 + the way of the decision that goes to the block, where a decision
   // before it, folded into its guard, can go there as well and so pass it by; else 0.
   std::vector<std::vector<std::uint8_t>> folded_;
-  const BlockIndex* begin_ = nullptr;     // of the trace
-  const BlockIndex* trace_ = nullptr;     // what has not been used yet; never beyond its end
-  std::vector<std::int64_t> trips_left_;  // [loops]
-  std::vector<std::uint32_t> returns_;    // nodes of calls that have not come back
+  const BlockIndex* begin_ = nullptr;  // of the trace
+  const BlockIndex* trace_ = nullptr;  // what has not been used yet; never beyond its end
+  // The entries of the trace that stand for a decision, in order, and the end.
+  std::vector<std::uint32_t> decided_ = std::vector<std::uint32_t>(1024);
+  const std::uint32_t* next_decided_ = nullptr;  // none before it is of what has not been used
+  std::vector<std::int64_t> trips_left_;         // [loops]
+  std::vector<std::uint32_t> returns_;           // nodes of calls that have not come back
   bool fits_ = true;
   RecordedPaths paths_;
   std::vector<std::uint32_t> record_of_;       // [nodes], no_record for all but those of paths

@@ -21,7 +21,7 @@ RequestCounter::RequestCounter(const MemorySites& sites, const PtxDecisions& dec
     : sites_(sites),
       counters_(counters),
       queues_(std::size_t{sites.n_queues} * 32),
-      taken_(sites.streams.size() * 32) {
+      next_(sites.streams.size() * 32) {
   for (std::uint32_t b = 0; b < sites.of_access.size(); ++b) {
     Run run;
     run.first_push = static_cast<std::uint32_t>(pushes_.size());
@@ -48,9 +48,12 @@ void RequestCounter::begin_warp(std::span<const LaneTrace> lanes) {
       std::ranges::any_of(lanes, [](const LaneTrace& lane) { return lane.addresses != nullptr; });
   if (!has_addresses_) return;
   for (std::vector<Noted>& queue : queues_) queue.clear();
-  std::ranges::fill(taken_, 0U);
   for (std::uint32_t lane = 0; lane < lanes.size(); ++lane)
     if (lanes[lane].blocks != nullptr) add_lane(lane, lanes[lane]);
+  for (std::vector<Noted>& queue : queues_) queue.push_back({0, no_entry});
+  for (std::uint32_t s = 0; s < sites_.streams.size(); ++s)
+    for (std::uint32_t lane = 0; lane < 32; ++lane)
+      next_[s * 32 + lane] = queues_[sites_.streams[s].queue * 32 + lane].data();
 }
 
 void RequestCounter::add_lane(std::uint32_t lane, const LaneTrace& trace) {
@@ -71,16 +74,15 @@ void RequestCounter::add_lane(std::uint32_t lane, const LaneTrace& trace) {
 // Adds the next address of each lane.
 inline void RequestCounter::take_next(std::uint32_t stream, std::uint32_t lanes,
                                       std::array<std::uint64_t, 32>& addresses, std::size_t& n) {
-  const std::vector<Noted>* const queues = &queues_[sites_.streams[stream].queue * 32];
-  std::uint32_t* const taken = &taken_[stream * 32];
+  const Noted** const next = &next_[stream * 32];
   const std::uint32_t offset = sites_.streams[stream].offset;
   for (std::uint32_t left = lanes; left != 0; left &= left - 1) {
     const auto lane = static_cast<std::uint32_t>(std::countr_zero(left));
-    if (taken[lane] == queues[lane].size()) {
+    if (next[lane]->entry == no_entry) {
       ++counters_.unmatched[stream];
       continue;
     }
-    addresses[n] = traced_[lane][queues[lane][taken[lane]++].address + offset];
+    addresses[n] = traced_[lane][next[lane]++->address + offset];
     n += addresses[n] != no_address ? 1 : 0;
   }
 }
@@ -130,7 +132,8 @@ void RequestCounter::end_warp() {
   if (!has_addresses_) return;
   for (std::uint32_t s = 0; s < sites_.streams.size(); ++s)
     for (std::uint32_t lane = 0; lane < 32; ++lane)
-      counters_.unmatched[s] += queues_[sites_.streams[s].queue * 32 + lane].size() - taken_[s * 32 + lane];
+      counters_.unmatched[s] += static_cast<std::uint64_t>(
+          &queues_[sites_.streams[s].queue * 32 + lane].back() - next_[s * 32 + lane]);
 }
 
 }  // namespace warpgrain::profiler::sass

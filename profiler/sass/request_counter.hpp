@@ -44,8 +44,9 @@ class RequestCounter {
  private:
   struct Noted {            // small: a warp's are to stay in the nearest cache
     std::uint32_t address;  // where the addresses of a block begin among the lane's
-    std::uint32_t entry;    // of the trace
+    std::uint32_t entry;    // of the trace; no_entry: behind the last one
   };
+  static constexpr std::uint32_t no_entry = 0xFFFFFFFF;
   struct Push {  // what a run of blocks adds to a queue
     std::uint32_t queue, offset;
   };
@@ -55,9 +56,8 @@ class RequestCounter {
   };
   // The lane's next access of a stream; null if there is none.
   const Noted* next(std::uint32_t stream, std::uint32_t lane) const {
-    const std::vector<Noted>& queue = queues_[sites_.streams[stream].queue * 32 + lane];
-    const std::uint32_t at = taken_[stream * 32 + lane];
-    return at == queue.size() ? nullptr : &queue[at];
+    const Noted* const noted = next_[stream * 32 + lane];
+    return noted->entry == no_entry ? nullptr : noted;
   }
   void add_lane(std::uint32_t lane, const LaneTrace& trace);
   void take_next(std::uint32_t stream, std::uint32_t lanes, std::array<std::uint64_t, 32>& addresses,
@@ -72,7 +72,7 @@ class RequestCounter {
   std::array<const std::uint64_t*, 32> traced_{};  // the lanes' addresses
   std::vector<std::vector<Noted>> queues_;         // [queues][32]
   bool has_addresses_ = false;
-  std::vector<std::uint32_t> taken_;  // [streams][32]: how many of the queue have been
+  std::vector<const Noted*> next_;  // [streams][32]: of the queue
 };
 
 }  // namespace warpgrain::profiler::sass

@@ -1,5 +1,6 @@
 #include "profiler/sass/warp_replayer.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <utility>
@@ -8,9 +9,16 @@
 #include "profiler/sass/lane_mask.hpp"
 #include "profiler/sass/lane_walker.hpp"
 #include "profiler/sass/warp_groups.hpp"
+#include "profiler/vector_clones.hpp"
 
 namespace warpgrain::profiler::sass {
 namespace {
+
+class Replayer;
+
+// A virtual function cannot be compiled for several processors; the loops over lanes gain from their
+// instructions.
+WARPGRAIN_VECTOR_CLONES void replay_warp(Replayer& replayer, std::span<const LaneTrace> lanes);
 
 class Replayer final : public WarpReplayer {
  public:
@@ -22,18 +30,20 @@ class Replayer final : public WarpReplayer {
         counters_(counters),
         walker_(plan, decisions, counters),
         requests_(plan.memory, decisions, counters.requests),
-        groups_(code, counters),
-        choices_(requests_.ever_needs_ahead()) {}
+        groups_(code, counters) {}
 
-  void replay(std::span<const LaneTrace> lanes) override {
+  void replay(std::span<const LaneTrace> lanes) override { replay_warp(*this, lanes); }
+
+  void replay_lanes(std::span<const LaneTrace> lanes) {
     Mask alive = 0;
-    choices_.clear();
-    std::array<std::size_t, replayed_warp_width> begins{};
+    const bool has_addresses =
+        std::ranges::any_of(lanes, [](const LaneTrace& lane) { return lane.addresses != nullptr; });
+    choices_.clear(has_addresses && requests_.ever_needs_ahead());
     const std::uint64_t out_of_step = counters_.out_of_step;
     for (std::uint32_t lane = 0; lane < lanes.size(); ++lane) {
       if (lanes[lane].blocks == nullptr) continue;
       alive |= Mask{1} << lane;
-      begins[lane] = choices_.size();
+      next_choice_[lane] = static_cast<std::uint32_t>(choices_.size());
       walker_.walk(lanes[lane], choices_);
       choices_.add(Choices::none, trace_all);
     }
@@ -41,7 +51,6 @@ class Replayer final : public WarpReplayer {
     ++counters_.warps;
     // What has no end for one of its lanes has none for the warp.
     if (counters_.out_of_step != out_of_step) return;
-    for_lanes(alive, [&](std::uint32_t lane) { next_choice_[lane] = choices_.ways() + begins[lane]; });
     requests_.begin_warp(lanes);
     lost_ = false;
     frames_.clear();
@@ -62,7 +71,7 @@ class Replayer final : public WarpReplayer {
   // The lane's next choice, which stays its next until it has taken it. A lane without one has lost its way:
   // the warp is not followed any further.
   std::uint16_t choice_of(std::uint32_t lane) {
-    const std::uint16_t way = *next_choice_[lane];
+    const std::uint16_t way = choices_.ways()[next_choice_[lane]];
     if (way != Choices::none) return way;
     if (!lost_) ++counters_.out_of_step;
     lost_ = true;
@@ -148,9 +157,7 @@ class Replayer final : public WarpReplayer {
 
   void count_requests(const WarpGroup& group) {
     std::array<std::uint32_t, replayed_warp_width> ahead{};
-    const auto left_behind = [&](std::uint32_t lane) {
-      ahead[lane] = choices_.entries(static_cast<std::size_t>(next_choice_[lane] - choices_.ways()));
-    };
+    const auto left_behind = [&](std::uint32_t lane) { ahead[lane] = choices_.entries(next_choice_[lane]); };
     if (requests_.needs_ahead(group.block)) for_lanes(group.lanes, left_behind);
     requests_.count(group.block, group.lanes, ahead);
   }
@@ -175,12 +182,28 @@ class Replayer final : public WarpReplayer {
       case Rule::together:
         if (lanes != groups_.alive()) ++counters_.stuck;
         return 0;
-      default: {
-        Mask taken = 0;
-        for_lanes(lanes, [&](std::uint32_t lane) { taken |= Mask{choice_of(lane)} << lane; });
-        return taken;
-      }
+      default:
+        return take_choices(lanes);
     }
+  }
+
+  // Of lanes at a guard, whose choices are 0 or 1. This is for every guard of every group.
+  Mask take_choices(Mask lanes) {
+    const std::uint16_t* const ways = choices_.ways();
+    Mask taken = 0, all = 0;
+    for_lanes(lanes, [&](std::uint32_t lane) {
+      const Mask way = ways[next_choice_[lane]++];
+      all |= way;
+      taken |= way << lane;
+    });
+    if (all != Choices::none) return taken;
+    ++counters_.out_of_step;
+    lost_ = true;
+    return 0;
+  }
+
+  static bool has_choices(const Node& node) {
+    return node.rule != Rule::fast_path && node.rule != Rule::together;
   }
 
   // BREAKs of the lanes that take a guard, or of those that do not. Whether others run first then.
@@ -202,10 +225,12 @@ class Replayer final : public WarpReplayer {
     const Node& node = plan_.nodes[plan_.node_of[group.block]];
     const Mask taken = lanes_that_take(node, group.lanes);
     const Mask others = group.lanes & ~taken;
-    if (group.stand == Stand::begin && leave_barriers(group, block, taken)) return false;
+    if (group.stand == Stand::begin && leave_barriers(group, block, taken)) {
+      // The guard comes again, with others perhaps.
+      if (has_choices(node)) for_lanes(group.lanes, [&](std::uint32_t lane) { --next_choice_[lane]; });
+      return false;
+    }
     group.stand = Stand::begin;
-    if (node.rule != Rule::fast_path && node.rule != Rule::together && !lost_)
-      for_lanes(group.lanes, [&](std::uint32_t lane) { ++next_choice_[lane]; });
     counters_.taken_lanes[group.block] += static_cast<std::uint64_t>(std::popcount(taken));
     if (taken == 0) {
       group.block = block.next;
@@ -295,11 +320,16 @@ class Replayer final : public WarpReplayer {
   LaneWalker walker_;
   RequestCounter requests_;
   WarpGroups groups_;
-  Choices choices_;  // of the warp's lanes, one after another
-  std::array<const std::uint16_t*, replayed_warp_width> next_choice_{};
+  Choices choices_;                                               // of the warp's lanes, one after another
+  std::array<std::uint32_t, replayed_warp_width> next_choice_{};  // among the choices
   bool lost_ = false;  // the replay and the lanes' traces have parted
   std::vector<Frame> frames_;
 };
+
+WARPGRAIN_VECTOR_CLONES [[gnu::flatten]] void replay_warp(Replayer& replayer,
+                                                          std::span<const LaneTrace> lanes) {
+  replayer.replay_lanes(lanes);
+}
 
 }  // namespace
 
