@@ -39,7 +39,7 @@ LaneWalker::LaneWalker(const ReplayPlan& plan, const PtxDecisions& decisions, Re
     if (node.rule != Rule::decision) continue;
     Step& step = steps_[n];
     step.decision = node.decision;
-    step.taken_way = static_cast<std::uint8_t>(node.taken_way);
+    step.other_way = static_cast<std::uint8_t>(1 ^ node.taken_way);
     for (std::uint32_t went = 0; went < 2; ++went) {
       const Way& way = went == node.taken_way ? node.taken : node.next;
       step.has_events[went] = !way.events.empty();
@@ -103,7 +103,7 @@ inline bool LaneWalker::take_decision(const Node& node) {
   return false;
 }
 
-inline std::uint32_t LaneWalker::pass(const Way& way) {
+[[gnu::noinline]] std::uint32_t LaneWalker::pass_events(const Way& way) {
   for (const TripEvent& event : way.events) {
     std::int64_t& left = trips_left_[event.loop];
     if (event.copies == 0)
@@ -113,6 +113,10 @@ inline std::uint32_t LaneWalker::pass(const Way& way) {
     if (left < 0) fits_ = false;
   }
   return way.node;
+}
+
+inline std::uint32_t LaneWalker::pass(const Way& way) {
+  return way.events.empty() ? way.node : pass_events(way);
 }
 
 // A pass of its own, without branches that cannot be foretold: no entry has to wait for the one before it.
@@ -134,24 +138,32 @@ void LaneWalker::note_decisions() {
   next_decided_ = decided;
 }
 
+// Which way the decision at a node went that does not come next in the trace.
+[[gnu::noinline]] std::uint32_t LaneWalker::look_for_decision(std::uint32_t node, std::uint32_t left_behind) {
+  trace_ = begin_ + left_behind;
+  const bool taken = take_decision(plan_.nodes[node]);
+  catch_up();
+  return taken ? plan_.nodes[node].taken_way : 1 ^ plan_.nodes[node].taken_way;
+}
+
+void LaneWalker::catch_up() {
+  while (*next_decided_ < static_cast<std::uint32_t>(trace_ - begin_)) ++next_decided_;
+}
+
 std::uint32_t LaneWalker::take_decisions(std::uint32_t from, std::size_t& steps, std::size_t budget,
                                          Choices& choices) {
-  // Members are copied so that they stay in registers.
+  catch_up();
+  // Members are copied so that they stay in registers; so do others, as what is seldom stands elsewhere.
   const Step* const all = steps_.data();
   const Run* const runs = runs_.data();
   const BlockIndex* const begin = begin_;
   const Step* step = all + from;
   const std::uint32_t* next = next_decided_;
-  std::uint32_t left_behind = 0;  // entries
-  const auto catch_up = [&] {
-    left_behind = static_cast<std::uint32_t>(trace_ - begin);
-    while (*next < left_behind) ++next;
-  };
-  catch_up();
+  auto left_behind = static_cast<std::uint32_t>(trace_ - begin);  // entries
   const Choices::Room room = choices.room();
   const std::size_t most = std::min(room.count, budget - steps);
   std::size_t n = 0;
-  for (; n < most && step->decision != no_decision; ++n) {
+  for (; n < most; ++n) {
     const BlockIndex* const entry = begin + *next;
     std::uint32_t went = 0;
     if (*entry != trace_end && runs[*entry].decision == step->decision) {  // the usual case
@@ -159,18 +171,19 @@ std::uint32_t LaneWalker::take_decisions(std::uint32_t from, std::size_t& steps,
       went = *(entry + 1) == runs[*entry].first_way ? 0 : 1;
       left_behind = *next++ + 1;
     } else {
-      trace_ = begin + left_behind;
-      went = take_decision(plan_.nodes[static_cast<std::size_t>(step - all)]) ? step->taken_way
-                                                                              : 1U ^ step->taken_way;
-      catch_up();
+      if (step->decision == no_decision) break;
+      next_decided_ = next;
+      went = look_for_decision(static_cast<std::uint32_t>(step - all), left_behind);
+      next = next_decided_;
+      left_behind = static_cast<std::uint32_t>(trace_ - begin);
     }
-    const std::uint32_t taken = 1U ^ went ^ step->taken_way;
+    const std::uint32_t taken = went ^ step->other_way;
     room.ways[n] = static_cast<std::uint16_t>(taken);
     if (room.entries != nullptr) room.entries[n] = left_behind;
     if (step->has_events[went]) {
       trace_ = begin + left_behind;  // from here trips are counted
       const Node& node = plan_.nodes[static_cast<std::size_t>(step - all)];
-      pass(taken != 0 ? node.taken : node.next);
+      pass_events(taken != 0 ? node.taken : node.next);
     }
     step = step->to[went];
   }

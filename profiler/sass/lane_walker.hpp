@@ -78,19 +78,22 @@ class LaneWalker {
   // lane went.
   struct Step {
     std::uint32_t decision = no_decision;  // none: the node has another rule
-    std::uint8_t taken_way = 0;            // of the decision, that takes the guard
+    std::uint8_t other_way = 0;            // of the decision, that does not take the guard
     std::array<bool, 2> has_events{};
     std::array<const Step*, 2> to{};
   };
 
   void choose(std::uint32_t way, Choices& choices) const;
   void note_decisions();
+  void catch_up();
+  std::uint32_t look_for_decision(std::uint32_t node, std::uint32_t left_behind);
   // Takes one decision after another from a node on; the first other node.
   std::uint32_t take_decisions(std::uint32_t from, std::size_t& steps, std::size_t budget, Choices& choices);
   void note_folded(const PtxDecisions& decisions);
   bool take_decision(const Node& node);
   bool take_trips(const Node& node);
   std::uint32_t take_indirect(const Node& node);
+  std::uint32_t pass_events(const Way& way);
   std::uint32_t pass(const Way& way);  // the node that it leads to
   std::int64_t count_trips(const TripLoop& loop) const;
   std::uint32_t index_of(const Node& node) const;
