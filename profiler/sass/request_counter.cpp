@@ -31,6 +31,7 @@ RequestCounter::RequestCounter(const MemorySites& sites, const PtxDecisions& dec
       run.n_addresses += static_cast<std::uint32_t>(sites.of_access[on_run].size());
     });
     run.last_push = static_cast<std::uint32_t>(pushes_.size());
+    run.adds = run.first_push != run.last_push ? 1 : 0;
     runs_.push_back(run);
   }
   for (const std::vector<MemorySite>& of_block : sites.of_block)
@@ -62,12 +63,24 @@ void RequestCounter::add_lane(std::uint32_t lane, const LaneTrace& trace) {
   const Run* const runs = runs_.data();
   const Push* const pushes = pushes_.data();
   std::vector<Noted>* const queues = queues_.data() + lane;
-  std::uint32_t address = 0, entry = 0;
-  for (const BlockIndex* block = trace.blocks; *block != trace_end; ++block, ++entry) {
-    const Run run = runs[*block];
-    for (std::uint32_t p = run.first_push; p < run.last_push; ++p)
-      queues[std::size_t{pushes[p].queue} * 32].push_back({address + pushes[p].offset, entry});
+  // First those that add anything, without branches: which these are cannot be foretold.
+  Noted* adding = adding_.data();
+  std::size_t n = 0, room = adding_.size();
+  std::uint32_t address = 0;
+  for (std::uint32_t entry = 0; trace.blocks[entry] != trace_end; ++entry) {
+    const Run& run = runs[trace.blocks[entry]];
+    adding[n] = {address, entry};
+    n += run.adds;
     address += run.n_addresses;
+    if (n < room) continue;
+    adding_.resize(room *= 2);
+    adding = adding_.data();
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    const Run& run = runs[trace.blocks[adding[k].entry]];
+    for (std::uint32_t p = run.first_push; p < run.last_push; ++p)
+      queues[std::size_t{pushes[p].queue} * 32].push_back(
+          {adding[k].address + pushes[p].offset, adding[k].entry});
   }
 }
 

@@ -52,6 +52,7 @@ class RequestCounter {
   };
   struct Run {
     std::uint32_t first_push = 0, last_push = 0;
+    std::uint32_t adds = 0;  // 1 if there are pushes
     std::uint32_t n_addresses = 0;
   };
   // The lane's next access of a stream; null if there is none.
@@ -66,11 +67,12 @@ class RequestCounter {
 
   const MemorySites& sites_;
   RequestCounters& counters_;
-  std::vector<bool> needs_ahead_;                  // [blocks of the code]
-  std::vector<Run> runs_;                          // [blocks of the PTX]: of a run from there
-  std::vector<Push> pushes_;                       // of the runs, one after another
-  std::array<const std::uint64_t*, 32> traced_{};  // the lanes' addresses
-  std::vector<std::vector<Noted>> queues_;         // [queues][32]
+  std::vector<bool> needs_ahead_;                         // [blocks of the code]
+  std::vector<Run> runs_;                                 // [blocks of the PTX]: of a run from there
+  std::vector<Push> pushes_;                              // of the runs, one after another
+  std::array<const std::uint64_t*, 32> traced_{};         // the lanes' addresses
+  std::vector<std::vector<Noted>> queues_;                // [queues][32]
+  std::vector<Noted> adding_ = std::vector<Noted>(1024);  // of the lane: entries whose run adds anything
   bool has_addresses_ = false;
   std::vector<const Noted*> next_;  // [streams][32]: of the queue
 };
