@@ -37,7 +37,7 @@ class RequestCounter {
   // The lanes come to a block of the code. `ahead`, of each: how many entries of its trace it has left behind
   // when it makes its next choice; an access under a predicate that comes later is not of this block.
   void count(std::uint32_t block, std::uint32_t lanes, const std::array<std::uint32_t, 32>& ahead);
-  bool needs_ahead(std::uint32_t block) const { return needs_ahead_[block]; }
+  bool needs_ahead(std::uint32_t block) const { return has_addresses_ && needs_ahead_[block]; }
   bool ever_needs_ahead() const;
   void end_warp();
 
