@@ -133,7 +133,7 @@ def document(rows, machine, archives):
         "Written by `scripts/exactness.py --write` from " + " and ".join(
             f"[{archive.name}](../{archive.resolve().relative_to(ROOT)})" for archive in archives) + ": what the replay",
         "over machine code counts of each launch, beside the hardware counters of", "", "```", *machine, "```", "",
-        "Launches `nvidia_opencl-…` are of PTX that NVIDIA's OpenCL compiler made; `shuffles` is nvcc's, the others clang's.", "",
+        "Launches `nvidia_opencl-…` are of PTX that NVIDIA's OpenCL compiler made, `nvcc-…` and `shuffles` of nvcc's, the others of clang's.", "",
         "`=` is equal to the last instruction; else the difference in percent of the GPU's count. `-`: not counted.", ""]
     within = [row for row in rows if row.is_within()]
     lines.append(f"* {len(within)} of {len(rows)} launches have warp instructions, thread instructions and SIMT efficiency "
@@ -209,7 +209,7 @@ def main():
     parser.add_argument("--warpgrain", default=ROOT / "build/release/cli/warpgrain")
     measured = ROOT / "reports/measured/exactness"
     parser.add_argument("--readings", type=pathlib.Path, nargs="+",
-                        default=[measured / "h100.tar.xz", measured / "nvidia_opencl.tar.xz"])
+                        default=[measured / "h100.tar.xz", measured / "h100_variants.tar.xz", measured / "nvidia_opencl.tar.xz"])
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--write", action="store_true")
     parser.add_argument("--check", action="store_true")
