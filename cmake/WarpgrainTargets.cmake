@@ -1,4 +1,4 @@
-# warpgrain_library(NAME [UNITY n] [LINK target...]): a static library of every .cpp below the current folder.
+# warpgrain_library(NAME [UNITY n [APART regex n]] [LINK target...]): a static library of every .cpp below the current folder.
 # Sources are found, not listed, so that a new file needs no second place to be named in.
 
 add_library(warpgrain_options INTERFACE)
@@ -14,11 +14,12 @@ endif()
 
 # Most of a clean build is reading headers, so where it pays several sources go to the compiler as one
 # (-DCMAKE_UNITY_BUILD=OFF for work on single files). Names in the unnamed namespaces of a group therefore differ. A
-# source's group follows from its name alone, so that a new file changes no other's.
+# source's group follows from its name alone, so that a new file changes no other's. Sources that match APART have
+# groups of their own: headers that only they see are read less often.
 if(NOT DEFINED CMAKE_UNITY_BUILD)
   set(CMAKE_UNITY_BUILD ON)
 endif()
-function(warpgrain_unity target n_groups)
+function(warpgrain_unity target n_groups)  # [regex n] of the sources apart
   set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
   if(NOT n_groups)
     return()
@@ -28,20 +29,25 @@ function(warpgrain_unity target n_groups)
     get_filename_component(name "${source}" NAME)
     string(MD5 hash "${name}")
     string(SUBSTRING "${hash}" 0 6 digits)
-    math(EXPR group "0x${digits} % ${n_groups}")
+    if(ARGC GREATER 2 AND "${source}" MATCHES "${ARGV2}")
+      math(EXPR group "0x${digits} % ${ARGV3}")
+      string(PREPEND group "apart_")
+    else()
+      math(EXPR group "0x${digits} % ${n_groups}")
+    endif()
     set_source_files_properties("${source}" PROPERTIES UNITY_GROUP "${group}")
   endforeach()
 endfunction()
 
 function(warpgrain_library name)
-  cmake_parse_arguments(ARG "" "UNITY" "LINK" ${ARGN})
+  cmake_parse_arguments(ARG "" "UNITY" "APART;LINK" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
   list(FILTER sources EXCLUDE REGEX "/program/")  # main functions are not library code
   if(sources)
     add_library(${name} STATIC ${sources})
     set(scope PUBLIC)
     target_link_libraries(${name} PRIVATE warpgrain_options)
-    warpgrain_unity(${name} "${ARG_UNITY}")
+    warpgrain_unity(${name} "${ARG_UNITY}" ${ARG_APART})
   else()
     add_library(${name} INTERFACE)
     set(scope INTERFACE)
@@ -89,17 +95,9 @@ function(warpgrain_test folder)
   endif()
   string(REPLACE "/" "_" program "test_${folder}")
   add_executable(${program} ${sources})
-  target_link_libraries(${program} PRIVATE warpgrain_options GTest::gtest_main GTest::gmock ${ARG_LINK})
+  target_link_libraries(${program} PRIVATE warpgrain_options GTest::gtest_main GTest::gmock warpgrain_test_paths ${ARG_LINK})
   warpgrain_unity(${program} "${ARG_UNITY}")
   # Tests spend their time in the libraries, builds theirs in the tests.
   target_compile_options(${program} PRIVATE $<$<CONFIG:Release>:-O0>)
-  # Only files that name a path get it: the others are the same in every checkout, which is what ccache asks for.
-  foreach(source IN LISTS sources)
-    file(STRINGS "${source}" uses_paths REGEX "WARPGRAIN_(SOURCE|TEST_DATA)_DIR" LIMIT_COUNT 1)
-    if(uses_paths)
-      set_source_files_properties("${source}" PROPERTIES COMPILE_DEFINITIONS
-        "WARPGRAIN_SOURCE_DIR=\"${PROJECT_SOURCE_DIR}\";WARPGRAIN_TEST_DATA_DIR=\"${CMAKE_CURRENT_SOURCE_DIR}/${folder}/data\"")
-    endif()
-  endforeach()
   gtest_discover_tests(${program} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
 endfunction()

@@ -8,6 +8,8 @@
 #include <set>
 #include <string>
 
+#include "tests/paths.hpp"
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -47,7 +49,7 @@ std::vector<Include> includes_below(const fs::path& root, const std::string& fol
 }
 
 TEST(Includes, PointDownwards) {
-  const fs::path root = WARPGRAIN_SOURCE_DIR;
+  const fs::path root = warpgrain::source_path("");
   for (const auto& [folder, may_include] : allowed) {
     for (const Include& include : includes_below(root, folder)) {
       if (!include.quoted || include.header.find('/') == std::string::npos) continue;
@@ -61,7 +63,7 @@ TEST(Includes, PointDownwards) {
 }
 
 TEST(Includes, OnlyTheProfilersSourcesSeeLlvm) {
-  const fs::path root = WARPGRAIN_SOURCE_DIR;
+  const fs::path root = warpgrain::source_path("");
   for (const auto& [folder, unused] : allowed)
     for (const Include& include : includes_below(root, folder)) {
       if (include.header.rfind("llvm/", 0) != 0 && include.header.rfind("clang/", 0) != 0) continue;
@@ -73,14 +75,14 @@ TEST(Includes, OnlyTheProfilersSourcesSeeLlvm) {
 TEST(Includes, TheLayerTakesNoMoreThanWhatWritesLaunchFiles) {
   const std::set<std::string> headers{"core/error.hpp", "profiler/build_options.hpp",
                                       "profiler/launch_file.hpp", "cli/record_settings.hpp"};
-  for (const Include& include : includes_below(WARPGRAIN_SOURCE_DIR, "cli/layer"))
+  for (const Include& include : includes_below(warpgrain::source_path(""), "cli/layer"))
     EXPECT_TRUE(!include.quoted || include.header.rfind("cli/layer/", 0) == 0 ||
                 headers.count(include.header))
         << include.file << " includes " << include.header;
 }
 
 TEST(Includes, AnalysisSeesNoDeviceHeaders) {
-  const fs::path root = WARPGRAIN_SOURCE_DIR;
+  const fs::path root = warpgrain::source_path("");
   for (const Include& include : includes_below(root, "analysis"))
     EXPECT_FALSE(include.header.rfind("CL/", 0) == 0 || include.header.rfind("cuda", 0) == 0)
         << include.file << " includes " << include.header;

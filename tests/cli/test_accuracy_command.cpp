@@ -11,6 +11,7 @@
 #include "cli/accuracy/ensemble_level.hpp"
 #include "command_fixture.hpp"
 #include "core/time_step.hpp"
+#include "tests/paths.hpp"
 
 namespace warpgrain::cli {
 namespace {
@@ -70,14 +71,14 @@ TEST_F(Accuracy, StudiesEveryLevelAndMarksTheFront) {
   EXPECT_EQ(floats["relative_cost"], 1.0);
   EXPECT_EQ(json["cases"][2]["relative_cost"], 2.0);
   EXPECT_LT(json["cases"][3]["collision"]["restitution"], doubles["collision"]["restitution"]);
-  EXPECT_THAT(reports::run_python("validate.py", {WARPGRAIN_SOURCE_DIR "/docs/schemas/accuracy-1.schema.json",
-                                                  path("a.json")}),
+  EXPECT_THAT(reports::run_python("validate.py",
+                                  {source_path("docs/schemas/accuracy-1.schema.json"), path("a.json")}),
               testing::ElementsAre("valid"));
 }
 
 TEST_F(Accuracy, RanksByPredictedAndByMeasuredTimes) {
   const std::string readings =
-      WARPGRAIN_SOURCE_DIR "/reports/measured/h100-variants/cuda-bed131072-branchy-cells-cell-";
+      source_path("reports/measured/h100-variants/cuda-bed131072-branchy-cells-cell-");
   std::vector<std::string> words{"accuracy",
                                  "--particles",
                                  "64",
@@ -108,8 +109,8 @@ TEST_F(Accuracy, RanksByPredictedAndByMeasuredTimes) {
   EXPECT_GT(cases[1]["relative_cost"], 1.2);
   EXPECT_FALSE(cases[2]["on_front"]);
   EXPECT_THAT(out_, HasSubstr("cost not known"));
-  EXPECT_THAT(reports::run_python("validate.py", {WARPGRAIN_SOURCE_DIR "/docs/schemas/accuracy-1.schema.json",
-                                                  path("a.json")}),
+  EXPECT_THAT(reports::run_python("validate.py",
+                                  {source_path("docs/schemas/accuracy-1.schema.json"), path("a.json")}),
               testing::ElementsAre("valid"));
 }
 
@@ -142,9 +143,9 @@ TEST_F(Accuracy, ReproducesChungAndOoisImpacts) {
         cell_of(tables[7], {60.0, "double reference"}, column) / cell_of(tables[7], {60.0, "theory"}, column),
         1, 2e-3);
   EXPECT_NEAR(cell_of(tables[7], {15.0, "double reference"}, 4), 378, 10);  // published, physics of test 4
-  EXPECT_THAT(reports::run_python("validate.py",
-                                  {WARPGRAIN_SOURCE_DIR "/docs/schemas/study-1.schema.json", path("i.json")}),
-              testing::ElementsAre("valid"));
+  EXPECT_THAT(
+      reports::run_python("validate.py", {source_path("docs/schemas/study-1.schema.json"), path("i.json")}),
+      testing::ElementsAre("valid"));
 }
 
 TEST_F(Accuracy, MeasuresHowSlipHistoriesConverge) {

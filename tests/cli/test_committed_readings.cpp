@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/command_fixture.hpp"
+#include "tests/paths.hpp"
 
 namespace warpgrain::cli {
 namespace {
@@ -11,7 +12,7 @@ namespace {
 class CommittedReadings : public CommandTest {
  protected:
   nlohmann::json order_of(const std::string& set) {
-    const std::filesystem::path folder = WARPGRAIN_SOURCE_DIR "/reports/measured/h100-variants";
+    const std::filesystem::path folder = source_path("reports/measured/h100-variants");
     std::vector<std::string> words{"compare", (folder / ("sweep-" + set + ".json")).string(), "--json", "-",
                                    "--measured"};
     for (const auto& entry : std::filesystem::directory_iterator(folder))

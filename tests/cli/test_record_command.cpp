@@ -15,6 +15,7 @@
 #include "cli/record_settings.hpp"
 #include "command_fixture.hpp"
 #include "profiler/subprocess.hpp"
+#include "tests/paths.hpp"
 
 namespace warpgrain::cli {
 namespace {
@@ -77,7 +78,7 @@ class Record : public CommandTest {
     return names;
   }
 
-  const std::filesystem::path data_ = std::filesystem::path(WARPGRAIN_SOURCE_DIR) / "tests" / "cli" / "data";
+  const std::filesystem::path data_ = source_path("tests/cli/data");
   std::filesystem::path build_;
   std::vector<std::string> program_;
 };

@@ -11,6 +11,7 @@
 #include "command_fixture.hpp"
 #include "core/error.hpp"
 #include "reports/stability_report.hpp"
+#include "tests/paths.hpp"
 
 namespace warpgrain::cli {
 namespace {
@@ -114,10 +115,9 @@ TEST_F(Stability, WritesAnAtlasOfADevice) {
   EXPECT_THAT(out_, HasSubstr("4 refused"));
   EXPECT_THAT(read("a.html"), HasSubstr("overlap_large"));
   EXPECT_EQ(nlohmann::json::parse(read("a.json"))["cells"].size(), 4U);
-  EXPECT_THAT(
-      reports::run_python("validate.py",
-                          {WARPGRAIN_SOURCE_DIR "/docs/schemas/stability-1.schema.json", path("a.json")}),
-      testing::ElementsAre("valid"));
+  EXPECT_THAT(reports::run_python("validate.py",
+                                  {source_path("docs/schemas/stability-1.schema.json"), path("a.json")}),
+              testing::ElementsAre("valid"));
 }
 
 TEST_F(Stability, RefusesWrongCallsInOneLine) {

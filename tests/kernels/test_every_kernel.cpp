@@ -6,13 +6,14 @@
 #include <string>
 
 #include "kernels/embedded_kernels.hpp"
+#include "tests/paths.hpp"
 
 namespace warpgrain {
 namespace {
 
 TEST(EveryKernel, CompilesAlone) {
   if (std::system("clang-15 --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "no clang-15 here";
-  const std::string folder = WARPGRAIN_SOURCE_DIR "/kernels/";
+  const std::string folder = source_path("kernels/");
   int files = 0;
   for (const EmbeddedKernel& kernel : embedded_kernels()) {
     if (!kernel.path.ends_with(".cl")) continue;

@@ -15,7 +15,7 @@ namespace {
 
 using testing::HasSubstr;
 
-const char* const source = R"(#include "factor.h"
+const char* const scaling_kernel = R"(#include "factor.h"
 template <class T> __global__ void scaled(T* out, const T* in) {
   extern __shared__ T tile[];
   const unsigned i = threadIdx.x;
@@ -30,7 +30,7 @@ template __global__ void scaled<int>(int*, const int*);
 class CudaFrontend : public testing::Test {
  protected:
   CudaFrontend() {
-    write_text(folder_.path() / "k.cu", source);
+    write_text(folder_.path() / "k.cu", scaling_kernel);
     write_text(folder_.path() / "factor.h", "#define FACTOR 3\n");
     write_text(folder_.path() / "k.sim",
                "k.cu scaled 32 1 1 32 1 1 <size=128 int fill=0> <size=128 int range=0:1:31> <size=128>");

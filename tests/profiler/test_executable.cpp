@@ -4,6 +4,7 @@
 
 #include "profiler/executable.hpp"
 #include "profiler/subprocess.hpp"
+#include "tests/paths.hpp"
 #include "tests/profiler/run_kernel.hpp"
 
 namespace warpgrain::profiler {
@@ -104,7 +105,7 @@ TEST(Executable, RunsWhatNvccCompiled) {
     std::uint32_t most;
     float scale;
   };
-  const std::string ptx = read_text(WARPGRAIN_TEST_DATA_DIR "/collatz.ptx");
+  const std::string ptx = read_text(source_path("tests/profiler/data/collatz.ptx"));
   const auto executable = Executable::compile(ptx, "collatz", TraceMode::blocks_and_addresses, "collatz.ptx");
   std::vector<std::uint32_t> in(256), out(257), steps(256);
   for (std::uint32_t i = 0; i < 256; ++i) {

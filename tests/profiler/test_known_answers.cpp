@@ -15,11 +15,12 @@
 #include <sstream>
 
 #include "profiler/launch_file.hpp"
+#include "tests/paths.hpp"
 
 namespace warpgrain::profiler {
 namespace {
 
-const std::filesystem::path data = WARPGRAIN_TEST_DATA_DIR;
+const std::filesystem::path known_answers_files = source_path("tests/profiler/data");
 
 std::string text_of(const std::filesystem::path& path) {
   std::ostringstream text;
@@ -112,12 +113,12 @@ void expect_invariants(const LaunchCounters& counters) {
 class KnownAnswers : public testing::TestWithParam<std::string> {};
 
 TEST_P(KnownAnswers, CountersByHandAndOutputByOclgrind) {
-  const LaunchFile file = read_launch_file(data / (GetParam() + ".sim"));
+  const LaunchFile file = read_launch_file(known_answers_files / (GetParam() + ".sim"));
   std::ostringstream dump;
   const LaunchCounters counters = profile_launch_file(file, "", {}, dump).profile.counters;
-  EXPECT_EQ(dump.str(), text_of(data / (GetParam() + ".dump")));
+  EXPECT_EQ(dump.str(), text_of(known_answers_files / (GetParam() + ".dump")));
   expect_invariants(counters);
-  std::istringstream facts(text_of(data / (GetParam() + ".counters")));
+  std::istringstream facts(text_of(known_answers_files / (GetParam() + ".counters")));
   for (std::string fact; std::getline(facts, fact);) {
     fact.resize(std::min(fact.find('#'), fact.size()));
     if (!fact.empty()) check_fact(counters, fact);
@@ -128,9 +129,9 @@ TEST_P(KnownAnswers, WidthPolicyAndThreadsLeaveTheOutputAlone) {
   const ProfileOptions options{
       .policy = MergePolicy::ipdom, .warp_width = 8, .addresses = false, .threads = 2};
   std::ostringstream dump;
-  const LaunchFile file = read_launch_file(data / (GetParam() + ".sim"));
+  const LaunchFile file = read_launch_file(known_answers_files / (GetParam() + ".sim"));
   const LaunchCounters counters = profile_launch_file(file, "", options, dump).profile.counters;
-  EXPECT_EQ(dump.str(), text_of(data / (GetParam() + ".dump")));
+  EXPECT_EQ(dump.str(), text_of(known_answers_files / (GetParam() + ".dump")));
   expect_invariants(counters);
   EXPECT_EQ(counters.totals.global_load, MemoryCounters{});
 }

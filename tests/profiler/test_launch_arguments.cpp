@@ -84,7 +84,7 @@ TEST_F(LaunchArguments, FillRangeNoInitAndNull) {
 }
 
 TEST_F(LaunchArguments, FileBytes) {
-  const TemporaryFolder folder;
+  const warpgrain::TemporaryFolder folder;
   const std::string path = (folder / "launch_arguments.bin").string();
   std::ofstream(path, std::ios::binary).write("\1\0\0\0\2\0\0\0\3\0\0\0\4\0\0\0", 16);
   given().file = path;

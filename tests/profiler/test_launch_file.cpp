@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "profiler/launch_file.hpp"
+#include "tests/paths.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace warpgrain::profiler {
@@ -84,7 +85,7 @@ TEST_F(LaunchFiles, WrittenFilesAreReadAlike) {
 }
 
 TEST_F(LaunchFiles, TheProgramMayStandRelativeToTheWorkingDirectory) {
-  const std::string here = std::filesystem::relative(WARPGRAIN_SOURCE_DIR).string() + "/CMakeLists.txt";
+  const std::string here = std::filesystem::relative(source_path("")).string() + "/CMakeLists.txt";
   EXPECT_EQ(read(here + " k 1 1 1 1 1 1").program, here);
 }
 

@@ -54,7 +54,7 @@ k.cl  kernel_name
 <size=128>
 <size=32 double fill=-1.5e3>
 )";
-  TemporaryFolder folder_;
+  warpgrain::TemporaryFolder folder_;
   std::size_t n_accepted_ = 0, n_refused_ = 0;
   const std::vector<KernelParameter> parameters_{
       {"a", 8, 8, KernelParameter::Pointer::global}, {"b", 8, 8, KernelParameter::Pointer::global},

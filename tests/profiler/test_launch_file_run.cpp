@@ -7,14 +7,15 @@
 #include <sstream>
 
 #include "profiler/launch_file.hpp"
+#include "tests/paths.hpp"
 
 namespace warpgrain::profiler {
 namespace {
 
 std::vector<std::string> names() {
   std::vector<std::string> found;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(std::filesystem::path(WARPGRAIN_TEST_DATA_DIR) / "oclgrind"))
+  for (const auto& entry : std::filesystem::directory_iterator(
+           std::filesystem::path(source_path("tests/profiler/data/oclgrind"))))
     if (entry.path().extension() == ".sim") found.push_back(entry.path().stem().string());
   std::sort(found.begin(), found.end());
   return found;
@@ -23,7 +24,8 @@ std::vector<std::string> names() {
 class OutputOfOclgrind : public testing::TestWithParam<std::string> {};
 
 TEST_P(OutputOfOclgrind, IsTheSameToTheByteWithOneThreadAndWithSeveral) {
-  const std::filesystem::path base = std::filesystem::path(WARPGRAIN_TEST_DATA_DIR) / "oclgrind" / GetParam();
+  const std::filesystem::path base =
+      std::filesystem::path(source_path("tests/profiler/data/oclgrind")) / GetParam();
   std::ostringstream expected;
   expected << std::ifstream(base.string() + ".dump", std::ios::binary).rdbuf();
   const LaunchFile file = read_launch_file(base.string() + ".sim");

@@ -13,7 +13,7 @@ namespace {
 using testing::ElementsAre;
 
 // Lane i goes round trips[i] times.
-constexpr const char* rounds = R"(
+constexpr const char* rounds_kernel = R"(
 kernel void k(global const int* trips, global volatile int* out) {
   const int i = get_global_id(0);
   for (int trip = 0; trip < trips[i]; ++trip) out[i] = trip;
@@ -29,7 +29,7 @@ class LaunchTimelinesTest : public testing::Test {
     how.threads = threads;
     how.addresses = false;
     return profile_launch(*executable_, line_of(trips.size(), local_size),
-                          {{buffer_of(trips), buffer_of(out)}}, rounds, how);
+                          {{buffer_of(trips), buffer_of(out)}}, rounds_kernel, how);
   }
   // Warps of 32 of which the first lane goes round many times and the others once.
   static std::vector<int> lopsided(const std::vector<int>& of_warps) {
@@ -43,7 +43,7 @@ class LaunchTimelinesTest : public testing::Test {
     return nullptr;
   }
 
-  std::unique_ptr<Executable> executable_ = compile_kernel(rounds, "k", TraceMode::blocks);
+  std::unique_ptr<Executable> executable_ = compile_kernel(rounds_kernel, "k", TraceMode::blocks);
 };
 
 TEST_F(LaunchTimelinesTest, HoldWhatTheCountersSum) {

@@ -14,20 +14,21 @@
 #include "profiler/launch_file.hpp"
 #include "profiler/opencl_frontend.hpp"
 #include "profiler/ptx/parser.hpp"
+#include "tests/paths.hpp"
 #include "tests/profiler/oracle/comparison.hpp"
 #include "tests/profiler/oracle/lockstep.hpp"
 
 namespace warpgrain::profiler {
 namespace {
 
-const std::filesystem::path data = WARPGRAIN_TEST_DATA_DIR;
+const std::filesystem::path oracle_files = source_path("tests/profiler/data");
 
 // Paths below the folder of the data, without ".sim".
 std::vector<std::string> launch_files() {
   std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(data))
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(oracle_files))
     if (entry.path().extension() == ".sim")
-      names.push_back(std::filesystem::relative(entry.path(), data).replace_extension().string());
+      names.push_back(std::filesystem::relative(entry.path(), oracle_files).replace_extension().string());
   std::sort(names.begin(), names.end());
   return names;
 }
@@ -52,7 +53,7 @@ void expect_no_differences(const std::string& ptx, const std::string& kernel, co
 class OracleOnData : public testing::TestWithParam<std::string> {};
 
 TEST_P(OracleOnData, AgreesInEveryCount) {
-  const LaunchFile file = read_launch_file(data / (GetParam() + ".sim"));
+  const LaunchFile file = read_launch_file(oracle_files / (GetParam() + ".sim"));
   const std::string text = text_of(file.program), name = file.program.string();
   const std::string ptx = compile_opencl(text, name).ptx;
   const auto executable = Executable::compile(ptx, file.kernel, TraceMode::none, name);
@@ -80,7 +81,7 @@ TEST(Oracle, AgreesOnPtxFromNvcc) {
     std::uint32_t most;
     float scale;
   } limits{30, 1.5f};
-  expect_no_differences(text_of(data / "collatz.ptx"), "collatz", {{128, 1, 1}, {64, 1, 1}},
+  expect_no_differences(text_of(oracle_files / "collatz.ptx"), "collatz", {{128, 1, 1}, {64, 1, 1}},
                         {KernelArgument::buffer(out.bytes()), KernelArgument::buffer(in.bytes()),
                          KernelArgument::scalar(std::as_bytes(std::span(&limits, 1)))});
 }

@@ -68,11 +68,12 @@ class PretendedExecutable : public Executable {
   TranslatedKernel kernel_;  // of no instruction, for the monitor
 };
 
-const LaunchShape shape{{40, 30, 2}, {8, 5, 1}};  // 60 work-groups of 40: a full warp of 32 and one of 8
+const LaunchShape two_warps_a_group{{40, 30, 2},
+                                    {8, 5, 1}};  // 60 work-groups of 40: a full warp of 32 and one of 8
 
 TEST(Profile, CountsEveryWarpOfEveryGroup) {
   const PretendedExecutable executable;
-  const LaunchCounters counters = profile_launch(executable, shape, {}, "", {});
+  const LaunchCounters counters = profile_launch(executable, two_warps_a_group, {}, "", {});
   EXPECT_EQ(executable.n_groups_run, 60U);
   EXPECT_EQ(counters.kernel, "hand_made");
   EXPECT_EQ(counters.policy, "loop_postdom");
@@ -95,7 +96,7 @@ TEST(Profile, ThreadsAndObserversDoNotChangeTheCounters) {
   WarpObserver nobody;
   for (const MergePolicy policy : {MergePolicy::loop_postdom, MergePolicy::ipdom, MergePolicy::min_pc}) {
     const auto counted = [&](unsigned threads, WarpObserver* observer) {
-      return profile_launch(executable, shape, {}, "",
+      return profile_launch(executable, two_warps_a_group, {}, "",
                             {.policy = policy, .warp_width = 16, .threads = threads, .observer = observer});
     };
     const LaunchCounters one = counted(1, nullptr);
@@ -113,7 +114,7 @@ TEST(Profile, ProgressEndsAtOne) {
   const PretendedExecutable executable;
   std::vector<double> seen;
   ProfileOptions options{.threads = 1, .progress = [&](double fraction) { seen.push_back(fraction); }};
-  profile_launch(executable, shape, {}, "", options);
+  profile_launch(executable, two_warps_a_group, {}, "", options);
   ASSERT_FALSE(seen.empty());
   EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
   EXPECT_EQ(seen.back(), 1.0);
@@ -123,7 +124,7 @@ TEST(Profile, AFailingGroupEndsTheLaunchWithItsError) {
   PretendedExecutable executable;
   executable.failing_group = 17;
   for (const unsigned threads : {1U, 3U})
-    EXPECT_THROW(profile_launch(executable, shape, {}, "", {.threads = threads}), InputError);
+    EXPECT_THROW(profile_launch(executable, two_warps_a_group, {}, "", {.threads = threads}), InputError);
 }
 
 TEST(Profile, RefusesShapesAndWidthsThatCannotBe) {
@@ -137,8 +138,8 @@ TEST(Profile, RefusesShapesAndWidthsThatCannotBe) {
     return std::string("no error");
   };
   EXPECT_THAT(message({{0, 1, 1}, {1, 1, 1}}, 32), testing::HasSubstr("dimension 0"));
-  EXPECT_THAT(message(shape, 24), testing::HasSubstr("power of two from 4 to 64"));
-  EXPECT_THAT(message(shape, 128), testing::HasSubstr("128"));
+  EXPECT_THAT(message(two_warps_a_group, 24), testing::HasSubstr("power of two from 4 to 64"));
+  EXPECT_THAT(message(two_warps_a_group, 128), testing::HasSubstr("128"));
 }
 
 }  // namespace

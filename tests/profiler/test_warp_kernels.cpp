@@ -11,12 +11,13 @@
 
 #include "profiler/cuda_frontend.hpp"
 #include "profiler/subprocess.hpp"
+#include "tests/paths.hpp"
 #include "tests/profiler/run_kernel.hpp"
 
 namespace warpgrain::profiler {
 namespace {
 
-const std::filesystem::path data = std::filesystem::path(WARPGRAIN_TEST_DATA_DIR);
+const std::filesystem::path warp_kernels_files = source_path("tests/profiler/data");
 
 bool has_nvcc() {
   return !find_program("nvcc").empty() || std::filesystem::exists("/usr/local/cuda/bin/nvcc");
@@ -27,9 +28,9 @@ class WarpKernels : public testing::TestWithParam<const char*> {
   void SetUp() override {
     const bool from_source = std::string_view(GetParam()) == "source";
     if (from_source && !has_nvcc()) GTEST_SKIP() << "no nvcc on PATH or in /usr/local/cuda/bin";
-    static const std::string committed = read_text(data / "warp_kernels.ptx");
+    static const std::string committed = read_text(warp_kernels_files / "warp_kernels.ptx");
     static const std::string compiled =
-        has_nvcc() ? compile_cuda(data / "warp_kernels.cu", "").ptx : std::string();
+        has_nvcc() ? compile_cuda(warp_kernels_files / "warp_kernels.cu", "").ptx : std::string();
     ptx_ = from_source ? compiled : committed;
     std::mt19937 random(7);
     for (int& x : in_) x = static_cast<int>(random() % 200) - 60;

@@ -9,6 +9,7 @@
 #include "profiler/launch_file.hpp"
 #include "profiler/profile.hpp"
 #include "profiler/thread_permutation.hpp"
+#include "tests/paths.hpp"
 #include "tests/profiler/traced_executable.hpp"
 
 namespace warpgrain::profiler {
@@ -208,8 +209,8 @@ INSTANTIATE_TEST_SUITE_P(WhatIf, LaunchFiles,
                          [](const auto& tested) { return std::string(tested.param); });
 
 TEST_P(LaunchFiles, AreAnsweredAsByRunsOfTheirOwn) {
-  const LaunchFile file =
-      read_launch_file(std::filesystem::path(WARPGRAIN_TEST_DATA_DIR) / (std::string(GetParam()) + ".sim"));
+  const LaunchFile file = read_launch_file(std::filesystem::path(source_path("tests/profiler/data")) /
+                                           (std::string(GetParam()) + ".sim"));
   std::ostringstream dump;
   const auto counters = [&](const ProfileOptions& options) {
     return profile_launch_file(file, "", options, dump).profile.counters;

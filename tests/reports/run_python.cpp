@@ -3,11 +3,13 @@
 #include <cstdio>
 #include <gtest/gtest.h>
 
+#include "tests/paths.hpp"
+
 namespace warpgrain::reports {
 
 std::vector<std::string> run_python(const std::string& script,
                                     const std::vector<std::filesystem::path>& files) {
-  std::string command = "/usr/bin/python3 " WARPGRAIN_SOURCE_DIR "/tests/reports/" + script;
+  std::string command = "/usr/bin/python3 " + source_path("tests/reports/") + script;
   for (const auto& file : files) {
     command += " '";
     command += file.string();

@@ -6,6 +6,7 @@
 #include "core/file_io.hpp"
 #include "reports/accuracy_report.hpp"
 #include "run_python.hpp"
+#include "tests/paths.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace warpgrain::reports {
@@ -100,9 +101,9 @@ TEST(AccuracyReport, SentencesClaimOnlyWhatIsSignificant) {
 TEST(AccuracyReport, JsonFollowsItsSchemaAndTextHasEveryCase) {
   const TemporaryFolder folder;
   write_file_atomically(folder / "a.json", accuracy_json(study()));
-  EXPECT_THAT(run_python("validate.py",
-                         {WARPGRAIN_SOURCE_DIR "/docs/schemas/accuracy-1.schema.json", folder / "a.json"}),
-              testing::ElementsAre("valid"));
+  EXPECT_THAT(
+      run_python("validate.py", {source_path("docs/schemas/accuracy-1.schema.json"), folder / "a.json"}),
+      testing::ElementsAre("valid"));
   const std::string text = text_accuracy(study());
   for (const char* name : {"plain", "double", "worse", "plain, 4 x step", "dominated by plain"})
     EXPECT_THAT(text, HasSubstr(name));

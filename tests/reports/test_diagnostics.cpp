@@ -10,6 +10,7 @@
 #include "reports/text_report.hpp"
 #include "run_python.hpp"
 #include "sample.hpp"
+#include "tests/paths.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace warpgrain::reports {
@@ -64,9 +65,9 @@ TEST(Diagnostics, ComeBackFromJsonAndFitTheSchema) {
     EXPECT_EQ(read.launches[k].counters.diagnostics, report.launches[k].counters.diagnostics);
     EXPECT_EQ(read.launches[k].counters.given_up, report.launches[k].counters.given_up);
   }
-  EXPECT_THAT(run_python("validate.py",
-                         {WARPGRAIN_SOURCE_DIR "/docs/schemas/report-1.schema.json", folder / "r.json"}),
-              ElementsAre("valid"));
+  EXPECT_THAT(
+      run_python("validate.py", {source_path("docs/schemas/report-1.schema.json"), folder / "r.json"}),
+      ElementsAre("valid"));
 }
 
 TEST(Diagnostics, LinesAddUpOverLaunches) {

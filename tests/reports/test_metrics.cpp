@@ -9,12 +9,13 @@
 #include "reports/metrics.hpp"
 #include "reports/report_json.hpp"
 #include "sample.hpp"
+#include "tests/paths.hpp"
 
 namespace warpgrain::reports {
 namespace {
 
 TEST(Metrics, StandInTheDocsAsInTheTable) {
-  const std::string docs = read_text_file(WARPGRAIN_SOURCE_DIR "/docs/report-format.md", 1 << 20);
+  const std::string docs = read_text_file(source_path("docs/report-format.md"), 1 << 20);
   for (const Metric& m : metrics()) {
     const std::string row = fmt::format("| `{}` | {} | {} | {} |\n", m.key, m.unit, m.definition,
                                         m.ncu_metric.empty() ? "" : fmt::format("`{}`", m.ncu_metric));

@@ -8,6 +8,7 @@
 #include "core/file_io.hpp"
 #include "reports/paper_rows.hpp"
 #include "run_python.hpp"
+#include "tests/paths.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace warpgrain::reports {
@@ -70,9 +71,9 @@ TEST(PaperReport, JsonFollowsItsSchemaAndTextNamesEveryRow) {
   const PaperReport report = report_of_facts();
   const TemporaryFolder folder;
   write_file_atomically(folder / "paper.json", paper_json(report));
-  EXPECT_THAT(run_python("validate.py",
-                         {WARPGRAIN_SOURCE_DIR "/docs/schemas/paper-1.schema.json", folder / "paper.json"}),
-              testing::ElementsAre("valid"));
+  EXPECT_THAT(
+      run_python("validate.py", {source_path("docs/schemas/paper-1.schema.json"), folder / "paper.json"}),
+      testing::ElementsAre("valid"));
   const std::string text = text_paper(report);
   for (const PaperReport::Row& each : report.rows) EXPECT_THAT(text, testing::HasSubstr(each.quantity));
   EXPECT_THAT(text, testing::HasSubstr("law.cl:12"));

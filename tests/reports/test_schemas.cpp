@@ -11,6 +11,7 @@
 #include "reports/report_json.hpp"
 #include "run_python.hpp"
 #include "sample.hpp"
+#include "tests/paths.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace warpgrain::reports {
@@ -27,7 +28,7 @@ struct Case {
 // One answer a document: "valid", or what is wrong.
 std::vector<std::string> validate(const std::string& schema, const std::vector<Case>& cases) {
   const TemporaryFolder folder;
-  std::vector<std::filesystem::path> files{WARPGRAIN_SOURCE_DIR "/docs/schemas/" + schema};
+  std::vector<std::filesystem::path> files{source_path("docs/schemas/") + schema};
   for (const Case& document : cases) {
     files.push_back(folder / (std::to_string(files.size()) + ".json"));
     write_file_atomically(files.back(), document.text);
@@ -180,7 +181,7 @@ TEST(Schemas, Sweeps) {
 
 TEST(Schemas, Machines) {
   std::vector<Case> machines;
-  for (const auto& entry : std::filesystem::directory_iterator(WARPGRAIN_SOURCE_DIR "/profiler/machines"))
+  for (const auto& entry : std::filesystem::directory_iterator(source_path("profiler/machines")))
     if (entry.path().extension() == ".json")
       machines.push_back({entry.path().filename().string(), read_text_file(entry.path(), 1 << 20)});
   EXPECT_GE(machines.size(), 4u);
@@ -193,7 +194,7 @@ TEST(Schemas, Machines) {
 }
 
 // contracts.md's example of a scene.
-constexpr const char* scene =
+constexpr const char* example_scene =
     R"({ "format": "warpgrain.scene/1", "name": "two_spheres", "gravity": [0, 0, -9.81],
   "model": { "contact": "practical", "slip_history": "clip", "normal_force": "signed" },
   "materials": [ { "name": "glass", "density": 2500, "youngs_modulus": 1e7, "poisson_ratio": 0.3 } ],
@@ -206,7 +207,7 @@ constexpr const char* scene =
 
 TEST(Schemas, ShippedScenesAreValid) {
   std::vector<Case> scenes;
-  for (const auto& entry : std::filesystem::directory_iterator(WARPGRAIN_SOURCE_DIR "/scenes"))
+  for (const auto& entry : std::filesystem::directory_iterator(source_path("scenes")))
     if (entry.path().extension() == ".json")
       scenes.push_back({entry.path().filename().string(), read_text_file(entry.path(), 1 << 20)});
   EXPECT_FALSE(scenes.empty());
@@ -214,9 +215,9 @@ TEST(Schemas, ShippedScenesAreValid) {
 }
 
 TEST(Schemas, Scenes) {
-  expect_valid("scene-1.schema.json", {{"the example", scene}});
+  expect_valid("scene-1.schema.json", {{"the example", example_scene}});
   expect_refused(
-      "scene-1.schema.json", scene,
+      "scene-1.schema.json", example_scene,
       {{"an unknown key", "$", [](Json& d) { d["gravitation"] = 1; }},
        {"a radius of zero", "$.particles", [](Json& d) { d["particles"][0]["radius"] = 0; }},
        {"two ends", "$.time.end", [](Json& d) { d["time"]["end"]["time"] = 1; }},

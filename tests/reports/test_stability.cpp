@@ -10,6 +10,7 @@
 #include "core/file_io.hpp"
 #include "reports/stability_report.hpp"
 #include "run_python.hpp"
+#include "tests/paths.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace warpgrain::reports {
@@ -73,11 +74,11 @@ TEST(StabilityReport, MarkdownHasARowForEveryLimit) {
 
 // As scripts/generated_blocks.py has it drawn.
 TEST(StabilityReport, HasAFigure) {
-  if (!std::filesystem::exists(WARPGRAIN_SOURCE_DIR "/reports/html/node_modules/echarts"))
+  if (!std::filesystem::exists(source_path("reports/html/node_modules/echarts")))
     GTEST_SKIP() << "no ECharts: scripts/install_dependencies.sh";
   const TemporaryFolder folder;
   write_file_atomically(folder / "atlas.json", stability_json(atlas()));
-  ASSERT_EQ(std::system(fmt::format("node {}/scripts/figures.mjs {} {}", WARPGRAIN_SOURCE_DIR,
+  ASSERT_EQ(std::system(fmt::format("node {}/scripts/figures.mjs {} {}", source_path(""),
                                     folder.path().string(), (folder / "atlas.json").string())
                             .c_str()),
             0);
@@ -89,9 +90,9 @@ TEST(StabilityReport, HasAFigure) {
 TEST(StabilityReport, JsonFollowsItsSchemaAndThePageIsWellFormed) {
   const TemporaryFolder folder;
   write_file_atomically(folder / "atlas.json", stability_json(atlas()));
-  EXPECT_THAT(run_python("validate.py", {WARPGRAIN_SOURCE_DIR "/docs/schemas/stability-1.schema.json",
-                                         folder / "atlas.json"}),
-              testing::ElementsAre("valid"));
+  EXPECT_THAT(
+      run_python("validate.py", {source_path("docs/schemas/stability-1.schema.json"), folder / "atlas.json"}),
+      testing::ElementsAre("valid"));
   const std::string page = stability_page(atlas());
   write_file_atomically(folder / "atlas.html", page);
   EXPECT_THAT(run_python("well_formed.py", {folder / "atlas.html"}), testing::ElementsAre("well-formed"));

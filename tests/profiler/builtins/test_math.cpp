@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <sstream>
 
+#include "tests/paths.hpp"
 #include "tests/profiler/builtins/documentation.hpp"
 #include "tests/profiler/builtins/random.hpp"
 
@@ -20,7 +21,7 @@ void expect_within_limits(const std::vector<Measurement>& measured) {
 }
 
 std::string documented() {
-  std::ifstream in(std::string(WARPGRAIN_SOURCE_DIR) + "/docs/builtins.md");
+  std::ifstream in(source_path("docs/builtins.md"));
   std::ostringstream text;
   text << in.rdbuf();
   return text.str();

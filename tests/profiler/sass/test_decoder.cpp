@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "profiler/sass/decoder.hpp"
+#include "tests/paths.hpp"
 #include "tests/profiler/sass/listing.hpp"
 #include "tests/temporary_folder.hpp"
 
@@ -17,8 +18,7 @@ namespace {
 
 std::vector<std::filesystem::path> listings() {
   std::vector<std::filesystem::path> found;
-  for (const auto& folder : {std::filesystem::path(WARPGRAIN_TEST_DATA_DIR),
-                             std::filesystem::path(WARPGRAIN_SOURCE_DIR) / "reports" / "measured"})
+  for (const std::string& folder : {source_path("tests/profiler/sass/data"), source_path("reports/measured")})
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
       if (entry.path().extension() == ".sass") found.push_back(entry.path());
   return found;
@@ -143,7 +143,7 @@ struct Compared {
 // By architecture, "sm_75"; listings without one in their name are of sm_90.
 std::map<std::string, Compared> compare_archive(const std::string& name, const std::string& inside) {
   const std::filesystem::path archive =
-      std::filesystem::path(WARPGRAIN_SOURCE_DIR) / "reports/measured/exactness" / name;
+      std::filesystem::path(source_path("reports/measured/exactness")) / name;
   const TemporaryFolder folder;
   const std::string command =
       fmt::format("tar -xJf '{}' -C '{}' {} 2>&1", archive.string(), folder.path().string(), inside);

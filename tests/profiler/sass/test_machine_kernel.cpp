@@ -7,6 +7,7 @@
 #include "profiler/sass/line_directives.hpp"
 #include "profiler/sass/machine_kernel.hpp"
 #include "profiler/subprocess.hpp"
+#include "tests/paths.hpp"
 
 namespace warpgrain::profiler::sass {
 namespace {
@@ -37,8 +38,7 @@ TEST(MachineKernel, LinesMayNotChangeTheCode) {
 TEST(MachineKernel, CodeIsTheSameWithAndWithoutLines) {
   const std::optional<Ptxas> ptxas = find_ptxas();
   if (!ptxas) GTEST_SKIP() << "ptxas is not installed";
-  const std::filesystem::path kernels =
-      std::filesystem::path(WARPGRAIN_SOURCE_DIR) / "tests" / "exactness" / "kernels";
+  const std::filesystem::path kernels = source_path("tests/exactness/kernels");
   for (const std::string name : {"shuffles", "jump_table"}) {  // of nvcc; by hand
     SCOPED_TRACE(name);
     const AssemblerText text = assembler_text(read_text(kernels / (name + ".ptx")));
