@@ -22,7 +22,7 @@ bool normal_reciprocal(const Arguments& a) { return std::abs(a.x) <= 0x1p126; }
 // The rounding of the product x log2(e) weighs as much as x is large: 2 + 1.17 |x| ULP, 104 at the ends.
 bool power_in_range(const Arguments& a) { return a.x > 0 && std::isfinite(a.x) && std::isfinite(a.y); }
 
-const MathFunction table[] = {
+const MathFunction approximate_table[] = {
     {"half_cos",
      "half_cos(x)",
      Inputs::x,
@@ -127,6 +127,6 @@ const MathFunction table[] = {
 
 }  // namespace
 
-std::span<const MathFunction> approximate_functions() { return table; }
+std::span<const MathFunction> approximate_functions() { return approximate_table; }
 
 }  // namespace warpgrain::profiler::builtins

@@ -104,7 +104,7 @@ void normalize(mpfr_ptr result, const Arguments& a) {
   mpfr_div(result, x.get(), result, MPFR_RNDN);
 }
 
-const MathFunction table[] = {
+const MathFunction common_table[] = {
     {"clamp",
      "clamp(x, y, z)",
      Inputs::xyz,
@@ -177,6 +177,6 @@ const MathFunction table[] = {
 
 }  // namespace
 
-std::span<const MathFunction> common_functions() { return table; }
+std::span<const MathFunction> common_functions() { return common_table; }
 
 }  // namespace warpgrain::profiler::builtins

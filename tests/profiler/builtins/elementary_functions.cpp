@@ -37,7 +37,7 @@ void rootn(mpfr_ptr result, const Arguments& a) {
   mpfr_rootn_si(result, x.get(), a.n, MPFR_RNDN);
 }
 
-const MathFunction table[] = {
+const MathFunction elementary_table[] = {
     {"acos", "acos(x)", Inputs::x, 4, 4, of_x<mpfr_acos>, {-1, 1}},
     {"acosh", "acosh(x)", Inputs::x, 4, 4, of_x<mpfr_acosh>, {1, 20}},
     {"acospi", "acospi(x)", Inputs::x, 5, 5, of_x<mpfr_acospi>, {-1, 1}},
@@ -112,6 +112,6 @@ const MathFunction table[] = {
 
 }  // namespace
 
-std::span<const MathFunction> elementary_functions() { return table; }
+std::span<const MathFunction> elementary_functions() { return elementary_table; }
 
 }  // namespace warpgrain::profiler::builtins

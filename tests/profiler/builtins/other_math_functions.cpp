@@ -87,7 +87,7 @@ void remquo(mpfr_ptr result, const Arguments& a) {
 }
 
 void round_even(mpfr_ptr result, const Arguments& a) { of_x<mpfr_rint_roundeven>(result, a); }
-const MathFunction table[] = {
+const MathFunction other_math_table[] = {
     {"x + y", "x + y", Inputs::xy, exact, exact, of_xy<mpfr_add>},
     {"x - y", "x - y", Inputs::xy, exact, exact, of_xy<mpfr_sub>},
     {"x * y", "x * y", Inputs::xy, exact, exact, of_xy<mpfr_mul>},
@@ -143,6 +143,6 @@ const MathFunction table[] = {
 
 }  // namespace
 
-std::span<const MathFunction> other_math_functions() { return table; }
+std::span<const MathFunction> other_math_functions() { return other_math_table; }
 
 }  // namespace warpgrain::profiler::builtins
