@@ -1,6 +1,7 @@
 #include "reports/sweep_columns.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 #include "reports/number_text.hpp"
@@ -65,7 +66,7 @@ std::string fixed(const SweepCase& c) {
 }
 template <Value (*value)(const SweepCase&)>
 std::string count(const SweepCase& c) {
-  return print<value>(c, [](double v) { return count_text(static_cast<std::uint64_t>(v)); });
+  return print<value>(c, [](double v) { return count_text(static_cast<std::uint64_t>(std::llround(v))); });
 }
 template <Value (*value)(const SweepCase&)>
 std::string seconds(const SweepCase& c) {
