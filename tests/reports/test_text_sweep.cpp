@@ -14,7 +14,7 @@ TEST(TextSweep, ARowACaseThenWhatRanWhereAndWhatDidNot) {
                                            SIMT  heaviest  active          warp           SFU                       a                 max      rms
 variant                              efficiency    kernel   lanes  instructions  instructions  sectors/load  particle  time/step    error    error
 -----------------------------------  ----------  --------  ------  ------------  ------------  ------------  --------  ---------  -------  -------
-branchy/cells/cell/fp32/default           0.812     0.812     3.2            48            18          3.00        96    12.3 ms  1.5e-06  2.5e-08
+branchy/cells/cell/fp32/default           0.812     0.812     3.2            48            18          3.00        97    12.3 ms  1.5e-06  2.5e-08
 branchy/cells/unsorted/fp32/default           -         -       -             -             -             -         -          -        -        -
 
 heaviest kernel: force
