@@ -19,7 +19,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGE = ROOT / "docs" / "counters.md"
 READINGS = ROOT / "reports" / "measured" / "h100-variants"
 SETS = (("bed131072", "A settled bed"), ("earlier_bed131072", "The same, counted earlier on a bed of its own"), ("shear131072", "Flowing grains"),
-        ("bed16384", "A settled bed of 16,384 particles"))
+        ("bed16384", "A settled bed of 16,384 particles"), ("shear16384", "Flowing grains, 16,384"))
 METRICS = ("warp_instructions", "thread_instructions", "simt_efficiency", "sfu_instructions", "branches", "divergent_branches")
 
 
