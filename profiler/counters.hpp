@@ -11,6 +11,7 @@
 #include "profiler/kernel_graph.hpp"
 #include "profiler/launch.hpp"
 #include "profiler/timeline.hpp"
+#include "profiler/touched_memory.hpp"
 
 namespace warpgrain::profiler {
 
@@ -165,6 +166,7 @@ struct LaunchCounters {
   std::vector<WhatIfTotals> what_if;           // in the order of the questions
   std::vector<WarpTimeline> timelines;         // of the warps that were asked for
   std::vector<WarpSums> warp_sums;             // of every warp by number; not part of reports
+  TouchedMemory touched;                       // with a footprint, atomics too; not part of reports
   std::vector<Diagnostic> diagnostics;         // what is wrong with the kernel, by its PTX
   bool given_up = false;  // too many work-items had to be stopped: not all work-groups ran
 };

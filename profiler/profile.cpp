@@ -245,7 +245,10 @@ LaunchCounters profile_launch(const Executable& executable, const LaunchShape& s
   result.policy = merge_policy_name(options.policy);
   result.warps = counters.warps;
   result.totals = launch_totals(graph, counters);
-  if (footprint) result.footprint = footprint->counters();
+  if (footprint) {
+    result.footprint = footprint->counters();
+    result.touched = footprint->touched();
+  }
   result.lines = line_totals(graph, counters);
   result.blocks = block_totals(graph, counters);
   result.branches = branch_totals(graph, counters, source_lines);

@@ -9,7 +9,11 @@ namespace warpgrain::reports {
 
 std::optional<PredictedTime> predicted_time(const Report& report, const LaunchReport& launch) {
   if (!report.machine) return std::nullopt;
-  return predict_time(launch.counters, *report.machine, static_cast<double>(report.buffer_bytes),
+  // Before a launch that stands alone whole buffers are written; the launches of a step meet again what the
+  // step before has touched.
+  const std::uint64_t working_set =
+      report.scene ? report.touched_bytes.value_or(report.buffer_bytes) : report.buffer_bytes;
+  return predict_time(launch.counters, *report.machine, static_cast<double>(working_set),
                       report.scene ? LaunchPlace::next : LaunchPlace::alone);
 }
 

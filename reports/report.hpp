@@ -51,6 +51,8 @@ struct Report {
   // launch.
   std::string weights = "ptx";
   std::uint64_t buffer_bytes = 0;      // of the buffers that the launches are given, each once
+  // Of these, in the sectors that any launch touches; where all footprints were counted.
+  std::optional<std::uint64_t> touched_bytes;
   std::vector<std::string> limits;     // what the counts do not say, in sentences
   std::vector<LaunchReport> launches;  // in the order of launching
 };

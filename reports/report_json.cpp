@@ -200,6 +200,7 @@ std::string report_json(const Report& report) {
   if (report.machine) json["machine"] = machine_json(*report.machine);
   json["weights"] = report.weights;
   json["buffer_bytes"] = report.buffer_bytes;
+  if (report.touched_bytes) json["touched_bytes"] = *report.touched_bytes;
   json["limits"] = report.limits;
   json["launches"] = Json::array();
   std::set<std::string> written;
@@ -227,6 +228,7 @@ Report read_report(const std::filesystem::path& file) {
   report.weights = root.at("weights").string();
   // Older reports lack it.
   report.buffer_bytes = optional_whole_number(root, "buffer_bytes").value_or(0);
+  report.touched_bytes = optional_whole_number(root, "touched_bytes");
   for (const JsonReader& limit : root.at("limits").elements()) report.limits.push_back(limit.string());
   Texts texts;
   for (const JsonReader& launch : root.at("launches").elements())

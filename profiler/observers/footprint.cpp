@@ -46,6 +46,10 @@ void TouchedSectors::stored(std::uint64_t sector, std::uint32_t bytes) {
     stored.fetch_or(bytes, std::memory_order_relaxed);
 }
 
+void TouchedSectors::updated(std::uint64_t sector) {
+  sectors_[sector].updated.store(true, std::memory_order_relaxed);
+}
+
 void TouchedSectors::count(FootprintCounters& counters) const {
   for (const Sector& sector : sectors_) {
     const std::uint32_t stored = sector.stored_bytes;
@@ -56,6 +60,16 @@ void TouchedSectors::count(FootprintCounters& counters) const {
         stored != 0 && stored != std::numeric_limits<std::uint32_t>::max() ? 1 : 0;
     counters.sectors += loaded || stored != 0 ? 1 : 0;
   }
+}
+
+TouchedMemory TouchedSectors::all() const {
+  TouchedMemory memory;
+  for (const Buffer& buffer : buffers_)
+    for (std::uint64_t address = buffer.begin; address < buffer.end; address += sector_bytes) {
+      const Sector& sector = sectors_[buffer.first_sector + (address - buffer.begin) / sector_bytes];
+      if (sector.loaded || sector.updated || sector.stored_bytes != 0) add_sector(memory, address);
+    }
+  return memory;
 }
 
 bool DistinctNumbers::insert(std::uint64_t number) {
@@ -116,6 +130,12 @@ void FootprintVisitor::store(std::uint64_t address, std::uint32_t bytes) {
   }
 }
 
+void FootprintVisitor::update(std::uint64_t address, std::uint32_t bytes) {
+  for (std::uint64_t at = address; at < address + bytes; at = (at / sector_bytes + 1) * sector_bytes)
+    if (const std::uint64_t sector = touched_->sector_of(at); sector != TouchedSectors::no_sector)
+      touched_->updated(sector);
+}
+
 void FootprintVisitor::walk(const LaneTrace& lane) {
   const std::uint64_t* address = lane.addresses;
   const BlockIndex* recorded = lane.blocks;
@@ -132,6 +152,9 @@ void FootprintVisitor::walk(const LaneTrace& lane) {
         case InstructionClass::global_store:
         case InstructionClass::generic_store:
           store(first, access.bytes);
+          break;
+        case InstructionClass::atomic:
+          update(first, access.bytes);
           break;
         default:
           break;

@@ -27,7 +27,9 @@ class TouchedSectors {
   void loaded(std::uint64_t sector);
   // `bytes`: a bit for each byte of the sector.
   void stored(std::uint64_t sector, std::uint32_t bytes);
+  void updated(std::uint64_t sector);  // by an atomic
   void count(FootprintCounters& counters) const;
+  TouchedMemory all() const;
 
  private:
   struct Buffer {
@@ -35,7 +37,7 @@ class TouchedSectors {
   };
   struct Sector {
     std::atomic<std::uint32_t> stored_bytes{0};
-    std::atomic<bool> loaded{false};
+    std::atomic<bool> loaded{false}, updated{false};
   };
   std::vector<Buffer> buffers_;  // by address
   std::vector<Sector> sectors_;
@@ -70,6 +72,7 @@ class FootprintVisitor : public GroupVisitor {
   void walk(const LaneTrace& lane);
   void load(std::uint64_t address, std::uint32_t bytes);
   void store(std::uint64_t address, std::uint32_t bytes);
+  void update(std::uint64_t address, std::uint32_t bytes);
 
   const KernelGraph* graph_;
   TouchedSectors* touched_;
@@ -85,6 +88,7 @@ class LaunchFootprint {
   GroupVisitor& new_visitor() { return visitors_.emplace_back(*graph_, touched_); }
   // When all have seen their work-groups.
   FootprintCounters counters() const;
+  TouchedMemory touched() const { return touched_.all(); }
 
  private:
   const KernelGraph* graph_;

@@ -47,6 +47,7 @@ profiler::LaunchProfile launch(const std::string& kernel) {
   c.shape = {.global_size = {8, 1, 1}, .local_size = {8, 1, 1}};
   c.shared_bytes = 64;
   c.footprint = {20, 4, 16, 4, 2, 18};
+  c.touched = {{4, (1u << 18) - 1}};
   c.warp_width = warp_width;
   c.policy = "loop_postdom";
   c.warps = 2;
