@@ -5,7 +5,7 @@
 
 Writes the tables of docs/counters.md from the readings in reports/measured/h100-variants, or exits with 1 where the page says
 anything else: sums over all kernels of a step (`headline` in the index of a sweep with --weights sass, `counters` of `measure
---counters` documents), and how far the simulator's are off in percent of the GPU's.
+--counters` documents), and how far the simulator's are off in percent of the GPU's. "-": no sweep has that variant.
 """
 import json
 import pathlib
@@ -19,7 +19,8 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGE = ROOT / "docs" / "counters.md"
 READINGS = ROOT / "reports" / "measured" / "h100-variants"
 SETS = (("bed131072", "A settled bed"), ("earlier_bed131072", "The same, counted earlier on a bed of its own"), ("shear131072", "Flowing grains"),
-        ("bed16384", "A settled bed of 16,384 particles"), ("shear16384", "Flowing grains, 16,384"))
+        ("bed16384", "A settled bed of 16,384 particles"), ("shear16384", "Flowing grains, 16,384"),
+        ("bed1048576", "A settled bed of 1,048,576 particles"), ("shear1048576", "Flowing grains, 1,048,576"))
 METRICS = ("warp_instructions", "thread_instructions", "simt_efficiency", "sfu_instructions", "branches", "divergent_branches")
 
 
@@ -33,35 +34,37 @@ def makes_lists(document):
     return any(k["kernel"].startswith("list_") for k in document["kernels"] if k["counters"].get("warp_instructions"))
 
 
+def difference(counters, gpu, metric):
+    return 100 * (counters[metric] / gpu[metric] - 1)
+
+
 def table(name, title):
-    index = json.loads((READINGS / f"sweep-{name}.json").read_text())
+    sweep = READINGS / f"sweep-{name}.json"
+    simulated = {c["variant"]: c["headline"] for c in json.loads(sweep.read_text())["cases"]} if sweep.exists() else {}
+    documents = [json.loads(f.read_text()) for f in READINGS.glob(f"counters-{name}-*.json")]
     rows, differences = [], {m: [] for m in METRICS}
-    for case in sorted(index["cases"], key=lambda c: c["variant"]):
-        file = READINGS / f'counters-{name}-{re.sub("[/=]", "-", case["variant"])}.json'
-        if not file.exists():
-            continue
-        document = json.loads(file.read_text())
-        gpu = counted(document)
-        off = {m: 100 * (case["headline"][m] / gpu[m] - 1) for m in METRICS}
-        other_step = makes_lists(document)
-        if not other_step:
-            for metric in METRICS:
-                differences[metric].append(abs(off[metric]))
-        rows.append(
-            f'| `{case["variant"]}` | {gpu["warp_instructions"]:,.0f} | {gpu["simt_efficiency"]:.3f} | '
-            + " | ".join("another step" if other_step else f"{off[m]:+.2f} %" for m in METRICS)
-            + " |"
-        )
+    for document in sorted(documents, key=lambda d: d["variant"]):
+        gpu, headline = counted(document), simulated.get(document["variant"])
+        if headline is None:
+            off = ["-"] * len(METRICS)
+        elif makes_lists(document):
+            off = ["another step"] * len(METRICS)
+        else:
+            off = [f"{difference(headline, gpu, m):+.2f} %" for m in METRICS]
+            for m in METRICS:
+                differences[m].append(abs(difference(headline, gpu, m)))
+        rows.append(f'| `{document["variant"]}` | {gpu["warp_instructions"]:,.0f} | {gpu["simt_efficiency"]:.3f} | ' + " | ".join(off) + " |")
     lines = [
         f"## {title}",
         "",
-        f'{index["particles"]:,} particles, {len(rows)} variants.',
+        f'{documents[0]["particles"]:,} particles, {len(rows)} variants.',
         "",
         "| variant | warp instructions | SIMT efficiency | " + " | ".join(f'{m.replace("_", " ")}, off by' for m in METRICS) + " |",
         "|---|" + "---:|" * (len(METRICS) + 2),
         *rows,
-        "| median, largest | | | " + " | ".join(f"{statistics.median(d):.2f} %, {max(d):.2f} %" for d in differences.values()) + " |",
     ]
+    if differences["branches"]:
+        lines.append("| median, largest | | | " + " | ".join(f"{statistics.median(d):.2f} %, {max(d):.2f} %" for d in differences.values()) + " |")
     return "\n".join(lines) + "\n"
 
 

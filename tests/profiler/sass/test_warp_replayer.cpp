@@ -150,6 +150,17 @@ TEST_F(WarpReplayerTest, UnrolledLoopsInALoop) {
   EXPECT_EQ(r.lanes_at("FFMA"), 32U * (19 * 20 / 2));
 }
 
+// A guard that compares what is left with copies of a body lets through lanes that a later one would, too.
+TEST_F(WarpReplayerTest, WaysThatTripsLeaveOpenAreCounted) {
+  const ReplayedKernel open = replay(
+      "int sum = 0; for (int row = 0; row < in[31]; ++row) { const int n = in[(7 * i + row) & 31] % 9;\n"
+      "  for (int k = 0; k < n; ++k) { const int x = in[(row * 5 + k + i) & 31]; if (x & 2) sum += x; }\n"
+      "  sum ^= row; }\nout[i] = sum;\n");
+  EXPECT_GT(open.replay().trips_assumed, 0U);
+  const ReplayedKernel rolled = replay("float x = v; while (x < 31) { x += 1; out[i + 32 * (int)x] = x; }\n");
+  EXPECT_EQ(rolled.replay().trips_assumed, 0U);
+}
+
 TEST_F(WarpReplayerTest, BoundsThatAreKnownLeaveNoGuard) {
   const ReplayedKernel r =
       replay("float s = 0; for (int k = 0; k < 8; ++k) s += out[k * 32 + i];\nout[i] = s;\n");
