@@ -17,9 +17,9 @@ std::string section_of(const Machine& machine) {
   return fmt::format("{} step on {}", machine.cost ? "predicted" : "least", machine.name);
 }
 
-double milliseconds(const std::vector<profiler::LaunchProfile>& launches, const Scene& scene,
-                    const Machine& machine) {
-  if (const auto predicted = predicted_seconds(launches, scene, machine)) return 1e3 * *predicted;
+double milliseconds(const std::vector<profiler::LaunchProfile>& launches, const ProfiledState& left,
+                    const Scene& scene, const Machine& machine) {
+  if (const auto predicted = predicted_seconds(launches, left, scene, machine)) return 1e3 * *predicted;
   double least = 0;
   for (const profiler::LaunchProfile& launch : launches)
     least += least_time(launch.counters.totals, launch.counters.warp_width, machine).seconds();
@@ -40,6 +40,7 @@ VariantRows variant_rows(const Scene& scene, const std::vector<Variant>& variant
   for (const Variant& variant : variants) {
     const std::string name = variant.name();
     std::vector<profiler::LaunchProfile> launches;  // of variants that `earlier` has not
+    ProfiledState left;
     std::vector<Row> rows;
     for (const Machine& machine : machines) {
       const std::string section = section_of(machine);
@@ -53,13 +54,13 @@ VariantRows variant_rows(const Scene& scene, const std::vector<Variant>& variant
         if (interrupted()) break;
         progress.update("variants",
                         static_cast<double>(result.variants) / static_cast<double>(variants.size()), name);
-        launches = profile_step(scene, variant, how, backend);
+        launches = profile_step(scene, variant, how, backend, {}, &left);
       }
       Row& row = rows.emplace_back();
       row.section = section;
       row.quantity = name;
       row.unit = "ms";
-      row.simulated = milliseconds(launches, scene, machine);
+      row.simulated = milliseconds(launches, left, scene, machine);
       if (result.variants == 0)
         row.remark = machine.cost ? "of all variants here: by the cost model"
                                   : "of all variants here: for the instructions alone, since the machine "

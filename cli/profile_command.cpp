@@ -11,6 +11,7 @@
 #include "cli/bed.hpp"
 #include "cli/common_options.hpp"
 #include "cli/help_text.hpp"
+#include "cli/list_making_of.hpp"
 #include "cli/modelled_parts.hpp"
 #include "cli/output.hpp"
 #include "cli/profile_options.hpp"
@@ -83,8 +84,8 @@ ReachedState state_to_profile(const Scene& scene, const Variant& variant, const 
   return reached;
 }
 
-reports::Report profile_scene(const Options& options, const profiler::ProfileOptions& how,
-                              Progress& progress) {
+reports::Report profile_scene(const Options& options, const std::optional<Machine>& machine,
+                              const profiler::ProfileOptions& how, Progress& progress) {
   const Scene scene = options.scene.load();
   const Variant variant = options.variant.resolve(scene, options.device.kernels);
   const ReachedState reached = state_to_profile(scene, variant, options, how, progress);
@@ -93,6 +94,7 @@ reports::Report profile_scene(const Options& options, const profiler::ProfileOpt
   const auto launches =
       profile_step(at_step, variant, how, options.device.backend_options(), options.export_folder, &left);
   reports::Report report = report_of(launches, options, how);
+  report.list_making = list_making_of(launches, left, machine);
   report.bed = bed_of(at_step, variant, launches, left, options.bed);
   report.scene = scene.name;
   report.variant = variant.name();
@@ -123,7 +125,8 @@ int profile(const Options& options) {
   if (!options.export_folder.empty()) make_folder(options.export_folder);
   const auto machine = options.simulator.load_machine();  // before the run: a wrong name costs nothing
   reports::Report report =
-      options.launch.empty() ? profile_scene(options, how, progress) : profile_launch_file(options, how);
+      options.launch.empty() ? profile_scene(options, machine, how, progress)
+                             : profile_launch_file(options, how);
   report.machine = machine;
   progress.clear();
   if (!options.output.json.empty()) write_output(options.output.json, reports::report_json(report));

@@ -5,6 +5,7 @@
 
 #include "analysis/force_error.hpp"
 #include "cli/bed.hpp"
+#include "cli/list_making_of.hpp"
 #include "cli/modelled_parts.hpp"
 #include "cli/output.hpp"
 #include "cli/state_samples.hpp"
@@ -61,6 +62,7 @@ ProfiledCase profile_case(const SweepSetting& setting, const Variant& variant) {
       profile_step(setting.scene, variant, setting.profile, setting.backend, {}, &left);
   reports::Report report = reports::make_report(launches, command_line());
   report.machine = setting.machine;
+  report.list_making = list_making_of(launches, left, setting.machine);
   report.scene = setting.scene.name;
   report.variant = variant.name();
   report.model = modelled_parts(setting.scene, variant, "simt");
@@ -69,7 +71,7 @@ ProfiledCase profile_case(const SweepSetting& setting, const Variant& variant) {
   report.step = setting.at_step;
   report.seed = setting.scene.seed;
   ProfiledCase result{file_stem(variant) + ".report.json",
-                      reports::headline_of(reports::kernels_of(report)),
+                      reports::headline_of(report),
                       {},
                       report.model.device_bytes_per_particle};
   for (const SweepSetting::Passed& passed : setting.passed) {

@@ -55,16 +55,18 @@ std::uint64_t bytes_of_buffers(std::span<const profiler::LaunchProfile> launches
   return bytes;
 }
 
-std::optional<std::uint64_t> touched_together(std::span<const profiler::LaunchProfile> launches) {
+}  // namespace
+
+std::optional<std::uint64_t> touched_together(
+    std::initializer_list<std::span<const profiler::LaunchProfile>> launches) {
   profiler::TouchedMemory touched;
-  for (const profiler::LaunchProfile& launch : launches) {
-    if (!launch.counters.footprint) return std::nullopt;
-    add(touched, launch.counters.touched);
-  }
+  for (const auto& some : launches)
+    for (const profiler::LaunchProfile& launch : some) {
+      if (!launch.counters.footprint) return std::nullopt;
+      add(touched, launch.counters.touched);
+    }
   return bytes_of(touched);
 }
-
-}  // namespace
 
 Report make_report(std::span<const profiler::LaunchProfile> launches, std::string command_line) {
   Report report;
@@ -72,7 +74,7 @@ Report make_report(std::span<const profiler::LaunchProfile> launches, std::strin
   report.command_line = std::move(command_line);
   report.weights = weights_of(launches);
   report.buffer_bytes = bytes_of_buffers(launches);
-  report.touched_bytes = touched_together(launches);
+  report.touched_bytes = touched_together({launches});
   report.limits = simulator_limits();
   if (report.weights != "sass") report.limits.insert(report.limits.begin(), std::string(limit_of_ptx));
   if (report.weights != "ptx") report.limits.insert(report.limits.begin(), std::string(limit_of_sass));

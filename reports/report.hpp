@@ -5,6 +5,7 @@
 // same input gives the same bytes.
 
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,6 +16,7 @@
 #include "profiler/profile.hpp"
 #include "reports/bed.hpp"
 #include "reports/generator.hpp"
+#include "reports/list_making.hpp"
 #include "reports/modelled_parts.hpp"
 #include "reports/source_text.hpp"
 #include "reports/state_sample.hpp"
@@ -53,6 +55,7 @@ struct Report {
   std::uint64_t buffer_bytes = 0;      // of the buffers that the launches are given, each once
   // Of these, in the sectors that any launch touches; where all footprints were counted.
   std::optional<std::uint64_t> touched_bytes;
+  std::optional<ListMaking> list_making;  // of a step that keeps lists which others make anew
   std::vector<std::string> limits;     // what the counts do not say, in sentences
   std::vector<LaunchReport> launches;  // in the order of launching
 };
@@ -63,6 +66,10 @@ std::vector<std::string> simulator_limits();
 // A report of this program with generator, limits and launches filled in; the caller adds what it knows of
 // the rest.
 Report make_report(std::span<const profiler::LaunchProfile> launches, std::string command_line);
+
+// Bytes in the sectors that any of the launches touches; nothing where a footprint was not counted.
+std::optional<std::uint64_t> touched_together(
+    std::initializer_list<std::span<const profiler::LaunchProfile>> launches);
 
 // One line that says what was profiled: "slit, branchy/cells/cell/fp32/default, 16,384 particles, step
 // 4,000"; for a report without a scene, its kernels.

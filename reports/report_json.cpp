@@ -69,6 +69,22 @@ Json sfu_json(const profiler::LaunchCounters& counters, const Machine& machine) 
           {"share", cost.share()}};
 }
 
+Json list_making_json(const ListMaking& making) {
+  Json json{{"steps_between", making.steps_between},
+            {"warp_instructions", making.warp_instructions},
+            {"thread_instructions", making.thread_instructions}};
+  if (making.predicted_seconds) json["predicted_seconds"] = *making.predicted_seconds;
+  return json;
+}
+
+ListMaking list_making_from(const JsonReader& place) {
+  const ListMaking making{place.at("steps_between").whole_number(), place.at("warp_instructions").whole_number(),
+                          place.at("thread_instructions").whole_number(),
+                          optional_number(place, "predicted_seconds")};
+  if (making.steps_between == 0) place.at("steps_between").fail("0", "1 or more");
+  return making;
+}
+
 Json predicted_json(const PredictedTime& time) {
   return {{"seconds", time.seconds}, {"start", time.start},
           {"issue", time.issue},     {"sfu", time.sfu},
@@ -201,6 +217,7 @@ std::string report_json(const Report& report) {
   json["weights"] = report.weights;
   json["buffer_bytes"] = report.buffer_bytes;
   if (report.touched_bytes) json["touched_bytes"] = *report.touched_bytes;
+  if (report.list_making) json["list_making"] = list_making_json(*report.list_making);
   json["limits"] = report.limits;
   json["launches"] = Json::array();
   std::set<std::string> written;
@@ -229,6 +246,7 @@ Report read_report(const std::filesystem::path& file) {
   // Older reports lack it.
   report.buffer_bytes = optional_whole_number(root, "buffer_bytes").value_or(0);
   report.touched_bytes = optional_whole_number(root, "touched_bytes");
+  if (const auto making = root.maybe("list_making")) report.list_making = list_making_from(*making);
   for (const JsonReader& limit : root.at("limits").elements()) report.limits.push_back(limit.string());
   Texts texts;
   for (const JsonReader& launch : root.at("launches").elements())

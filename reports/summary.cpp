@@ -142,6 +142,13 @@ Headline headline_of(const LaunchCounters& counters) {
   return headline_of({KernelSummary{1, counters, nullptr, std::nullopt}});
 }
 
+Headline headline_of(const Report& report) {
+  Headline headline = headline_of(kernels_of(report));
+  if (headline.predicted_seconds && report.list_making)
+    *headline.predicted_seconds += report.list_making->predicted_seconds_a_step();
+  return headline;
+}
+
 Headline headline_of(const std::vector<KernelSummary>& kernels) {
   Headline sum;
   profiler::MemoryCounters loads;

@@ -52,6 +52,8 @@ std::vector<KernelSummary> kernels_of(const Report& report);
 
 // Of all launches together.
 Headline headline_of(const std::vector<KernelSummary>& kernels);
+// The same of a report's; the predicted time has a step's share of making lists.
+Headline headline_of(const Report& report);
 
 // "min_pc", or of a pool "bound, pools of 128".
 std::string policy_text(const profiler::WhatIfTotals& answer);

@@ -163,6 +163,7 @@ std::string text_report(const Report& report, const TextReportOptions& options) 
   text += text_modelled_parts(report.model);
   if (report.machine) text += sfu_table(*report.machine, kernels);
   text += predicted_table(report, kernels);
+  if (report.list_making) text += fmt::format("\nthe search's {}\n", text_of(*report.list_making));
   text += text_state_samples(report.samples);
   for (std::size_t k = 0; k < std::min(kernels.size(), options.kernels); ++k) {
     const KernelSummary& kernel = kernels[k];

@@ -14,6 +14,9 @@
 namespace warpgrain {
 namespace {
 
+// Of the skin: as kernels/search/check_lists.cl has it.
+constexpr double listed_share = 0.49;
+
 // Steps between two looks at the device's errors: seldom enough to keep its queue filled.
 constexpr std::uint64_t steps_between_checks = 16;
 
@@ -52,6 +55,7 @@ DeviceSimulation::DeviceSimulation(const Scene& scene, const Variant& variant, c
   bytes_ = layout.bytes;
   contact_slots_ = layout.contact_slots;
   is_fp64_ = layout.is_fp64;
+  listed_way_ = listed_share * layout.skin;
   if (!layout.features.model(FeatureId::rotation))
     for (const Vector3d& spin : scene.particles.angular_velocity)
       constant_spin_.push_back(is_fp64_ ? spin : Vector3d(spin.cast<float>().cast<double>()));
@@ -104,10 +108,11 @@ void DeviceSimulation::check() const {
 void DeviceSimulation::step(std::uint64_t n) {
   for (std::uint64_t k = 0; k < n; ++k) {
     run(plan_.integrate);
-    if (map_is_outdated())
-      make_map();
-    else
+    kept_lists_ = !map_is_outdated();
+    if (kept_lists_)
       run(plan_.keep_map);
+    else
+      make_map();
     run(plan_.forces);
     ++steps_done_;
     if ((k + 1) % steps_between_checks == 0 || k + 1 == n) {

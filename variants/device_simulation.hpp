@@ -26,6 +26,13 @@ class DeviceSimulation : public Simulation {
   std::string device() const override { return device_->name(); }
   std::string driver() const override { return device_->driver(); }
 
+  // Whether the last step used lists that an earlier one had made.
+  bool kept_lists() const { return kept_lists_; }
+  // How far a particle may move until lists are made anew [m].
+  double listed_way() const { return listed_way_; }
+  // Makes map and lists anew, as a step does whose lists are outdated. No step follows: there are no forces.
+  void renew_lists() { run(plan_.map); }
+
   // Where the k-th particle by id stands in the device's arrays now, [n_particles].
   std::vector<std::uint32_t> places_by_id() const;
 
@@ -55,6 +62,8 @@ class DeviceSimulation : public Simulation {
   std::optional<FixedPoint> fixed_point_;
   std::optional<HalfHistory> half_history_;
   std::uint64_t steps_done_ = 0, maps_made_ = 0;
+  bool kept_lists_ = false;
+  double listed_way_ = 0;
 };
 
 }  // namespace warpgrain

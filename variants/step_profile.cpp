@@ -1,6 +1,7 @@
 #include "variants/step_profile.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <set>
 #include <string>
@@ -27,6 +28,18 @@ void require_answers(const std::vector<profiler::WhatIf>& questions,
       throw_unknown_name("order sorted", "thread count", question.order.key, labels);
 }
 
+namespace {
+
+// 0 where nothing moves, as far as anyone will see.
+std::uint64_t steps_between_lists(const Scene& scene, const DeviceSimulation& simulation) {
+  double fastest = 0;
+  for (const Vector3d& velocity : scene.particles.velocity) fastest = std::max(fastest, velocity.norm());
+  const double steps = std::ceil(simulation.listed_way() / (fastest * scene.time_step));
+  return steps < 1e15 ? static_cast<std::uint64_t>(std::max(1.0, steps)) : 0;
+}
+
+}  // namespace
+
 std::vector<profiler::LaunchProfile> profile_step(const Scene& scene, const Variant& variant,
                                                   const profiler::ProfileOptions& options,
                                                   const BackendOptions& backend,
@@ -44,7 +57,17 @@ std::vector<profiler::LaunchProfile> profile_step(const Scene& scene, const Vari
   simulation.step(1);
   std::vector<profiler::LaunchProfile> launches = simulator.take_profiles();
   require_answers(options.what_if, launches);
-  if (left != nullptr) *left = {simulation.state(), simulation.places_by_id()};
+  if (left != nullptr) {
+    *left = {simulation.state(), simulation.places_by_id(), {}, 0};
+    left->steps_between_lists = simulation.kept_lists() ? steps_between_lists(scene, simulation) : 0;
+    if (left->steps_between_lists != 0) {
+      of_kernels.what_if.clear();
+      of_kernels.timelines = {};
+      simulator.record(of_kernels);
+      simulation.renew_lists();
+      left->list_launches = simulator.take_profiles();
+    }
+  }
   return launches;
 }
 

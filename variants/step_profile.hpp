@@ -15,6 +15,10 @@ namespace warpgrain {
 struct ProfiledState {
   ParticleState particles;            // by id
   std::vector<std::uint32_t> places;  // of these in the arrays that the kernels worked on, [n_particles]
+  // Where the step kept lists: the launches of another step that make map and lists anew, and after how many
+  // steps they have to be, if the fastest particle goes on as it does. None where nothing moves.
+  std::vector<profiler::LaunchProfile> list_launches;
+  std::uint64_t steps_between_lists = 0;
 };
 
 // Profiles one time step (integrate ... forces from walls) of `variant`, beginning at the scene's particle

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "analysis/statistics.hpp"
+#include "cli/list_making_of.hpp"
 #include "cli/step_timing.hpp"
 #include "core/error.hpp"
 #include "reports/measured_report.hpp"
@@ -12,12 +13,14 @@
 #include "variants/step_profile.hpp"
 
 namespace warpgrain::cli {
-std::optional<double> predicted_seconds(std::span<const profiler::LaunchProfile> launches, const Scene& scene,
+std::optional<double> predicted_seconds(std::span<const profiler::LaunchProfile> launches,
+                                        const ProfiledState& left, const Scene& scene,
                                         const Machine& machine) {
   reports::Report report = reports::make_report(launches, {});
   report.scene = scene.name;
   report.machine = machine;
-  return reports::headline_of(reports::kernels_of(report)).predicted_seconds;
+  report.list_making = list_making_of(launches, left, machine);
+  return reports::headline_of(report).predicted_seconds;
 }
 
 StepCost cost_of(const AccuracySetting& setting, const Variant& variant) {
@@ -29,13 +32,14 @@ StepCost cost_of(const AccuracySetting& setting, const Variant& variant) {
     options.warp_width = static_cast<std::uint32_t>(setting.machine->warp_width.value);
   }
   StepCost cost;
-  const auto launches = profile_step(setting.costed, variant, options, setting.backend);
+  ProfiledState left;
+  const auto launches = profile_step(setting.costed, variant, options, setting.backend, {}, &left);
   for (const auto& launch : launches) {
     const profiler::Totals& totals = launch.counters.totals;
     cost.warp_instructions += totals.warp_instructions;
     cost.bytes += 32 * (totals.global_load.sectors + totals.global_store.sectors + totals.atomic.sectors);
   }
-  if (setting.machine) cost.predicted_seconds = predicted_seconds(launches, setting.costed, *setting.machine);
+  if (setting.machine) cost.predicted_seconds = predicted_seconds(launches, left, setting.costed, *setting.machine);
   if (setting.timed_steps > 0 && backend("opencl").lacks().empty())
     cost.seconds = median_seconds_per_step(
         *backend("opencl").create(setting.costed, variant, setting.backend), setting.timed_steps);

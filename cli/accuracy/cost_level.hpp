@@ -9,6 +9,7 @@
 
 #include "cli/accuracy/setting.hpp"
 #include "profiler/profile.hpp"
+#include "variants/step_profile.hpp"
 
 namespace warpgrain::cli {
 
@@ -20,8 +21,10 @@ struct StepCost {
 };
 StepCost cost_of(const AccuracySetting& setting, const Variant& variant);
 
-// Of the launches of a step; none where the machine has no cost constants, or footprints were not counted.
-std::optional<double> predicted_seconds(std::span<const profiler::LaunchProfile> launches, const Scene& scene,
+// Of a profiled step, which left that; none where the machine has no cost constants, or footprints were not
+// counted.
+std::optional<double> predicted_seconds(std::span<const profiler::LaunchProfile> launches,
+                                        const ProfiledState& left, const Scene& scene,
                                         const Machine& machine);
 
 // Steps that a device was measured at, a document a variant.

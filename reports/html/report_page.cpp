@@ -35,6 +35,8 @@ std::string report_page(const Report& report) {
   std::string body = fmt::format(
       "<h1>{}</h1>\n<p class=\"soft\">SIMT divergence report</p>\n{}{}", html::escape(title),
       html::diagnostics_view(report) + html::headline_view(kernels), html::kernels_view(report, kernels));
+  if (report.list_making)
+    body += fmt::format("<p>The search's {}.</p>\n", html::escape(text_of(*report.list_making)));
   body += html::machine_view(report, kernels);
   body += html::model_view(report.model);
   body += html::bed_view(report) + html::samples_view(report.samples);

@@ -126,6 +126,7 @@ Report report() {
   r.step = 4000;
   r.samples = state_samples();
   r.machine = load_machine("fermi_c2050");
+  r.list_making = ListMaking{12, 1000, 24000, 3e-5};
   r.launches[0].ptx.file = "report.ptx";
   r.bed = Bed{.particles = 16384,
               .slab = "the 3 nearest to y = 0.5 m",

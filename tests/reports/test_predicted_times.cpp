@@ -2,9 +2,11 @@
 
 #include "reports/predicted_times.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "profiler/coalescing.hpp"
+#include "reports/summary.hpp"
 #include "tests/reports/sample.hpp"
 
 namespace warpgrain::reports {
@@ -45,6 +47,29 @@ TEST(PredictedTimes, AStepMeetsAgainWhatItTouchesAndALaunchAloneAllOfItsBuffers)
   EXPECT_LT(of_step, 0.5 * alone) << "a megabyte stays in the second cache, a gigabyte does not";
   report.touched_bytes.reset();
   EXPECT_DOUBLE_EQ(predicted_time(report, report.launches[0])->memory, alone);
+}
+
+TEST(PredictedTimes, AStepHasItsShareOfMakingLists) {
+  Report report = report_of({reads_a_piece(0)});
+  report.scene = "slit";
+  const double kept = *headline_of(report).predicted_seconds;
+  report.list_making = ListMaking{20, 1, 1, 1e-3};
+  EXPECT_DOUBLE_EQ(*headline_of(report).predicted_seconds, kept + 5e-5);
+  report.list_making->predicted_seconds.reset();
+  EXPECT_DOUBLE_EQ(*headline_of(report).predicted_seconds, kept);
+}
+
+TEST(PredictedTimes, MakingListsFindsInTheCacheWhatTheStepLeaves) {
+  const std::vector step{reads_a_piece(0)}, lists{reads_a_piece(0), reads_a_piece(1 << 15)};
+  const ListMaking making = list_making(step, lists, 7, load_machine("hopper_h100"));
+  EXPECT_EQ(making.steps_between, 7u);
+  EXPECT_EQ(making.warp_instructions, 2 * step[0].counters.totals.warp_instructions);
+  EXPECT_EQ(making.thread_instructions, 2 * step[0].counters.totals.thread_instructions);
+  Report of_both = report_of({lists[0], lists[1]});
+  of_both.scene = "slit";
+  EXPECT_DOUBLE_EQ(*making.predicted_seconds, *headline_of(of_both).predicted_seconds);
+  EXPECT_EQ(list_making(step, lists, 7, std::nullopt).predicted_seconds, std::nullopt);
+  EXPECT_THAT(text_of(making), testing::HasSubstr("about every 7 steps"));
 }
 
 }  // namespace

@@ -114,6 +114,47 @@ TEST_F(StepProfile, NothingIsWrongWithTheKernels) {
     }
 }
 
+// Two spheres on their way to each other, for which every step is like the one before.
+TEST_F(StepProfile, SaysWhenListsAreMadeAnew) {
+  const Scene scene = load_scene("head_on", {});
+  for (const char* search : {"verlet", "cluster"}) {
+    const Variant variant = Variant::parse(std::string("branchy/") + search + "/cell/fp64/default");
+    ProfiledState left;
+    const auto launches = profile_step(scene, variant, {}, {}, {}, &left);
+    std::vector<std::string> kernels;
+    for (const LaunchProfile& launch : left.list_launches) kernels.push_back(launch.counters.kernel);
+    EXPECT_THAT(kernels, testing::Contains(std::string(search) == "verlet" ? "list_neighbours" : "list_groups"));
+    EXPECT_THAT(kernels, testing::Contains("reorder_particles"));
+    for (const LaunchProfile& launch : launches)
+      EXPECT_THAT(kernels, testing::Not(testing::Contains(launch.counters.kernel))) << "of every step";
+
+    // Steps until the lists are made a second time.
+    const auto simulation = backend("opencl").create(scene, variant, {});
+    const auto makings = [&] {
+      std::uint64_t calls = 0;
+      for (const KernelTiming& timing : simulation->timings())
+        if (timing.kernel.starts_with("list_")) calls += timing.calls;
+      return calls;
+    };
+    std::uint64_t steps = 1;
+    simulation->step(1);
+    EXPECT_EQ(makings(), 1U);
+    for (; makings() == 1 && steps < 10000; ++steps) simulation->step(1);
+    EXPECT_EQ(left.steps_between_lists, steps) << search;
+  }
+}
+
+TEST_F(StepProfile, NoListsAreMadeAnewWhereNothingMovesOrNoneAreKept) {
+  Scene still = load_scene("head_on", {});
+  for (Vector3d& velocity : still.particles.velocity) velocity.setZero();
+  ProfiledState left;
+  profile_step(still, Variant::parse("branchy/verlet/cell/fp32/default"), {}, {}, {}, &left);
+  EXPECT_TRUE(left.list_launches.empty());
+  profile_step(load_scene("head_on", {}), Variant::parse("branchy/cells/cell/fp32/default"), {}, {}, {},
+               &left);
+  EXPECT_TRUE(left.list_launches.empty());
+}
+
 TEST_F(StepProfile, StopsWhereTheStepStops) {
   Scene bed = random_bed({.n_particles = 100});
   bed.particles.velocity[7] = {1e9, 0, 0};
