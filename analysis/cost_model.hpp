@@ -45,8 +45,8 @@ enum class LaunchPlace : std::uint8_t {
   next    // behind another launch
 };
 
-// `working_set`: bytes of memory that are touched in turn, this launch's among them. Nothing where the machine
-// has no cost constants or the footprint was not counted.
+// `working_set`: bytes of memory that are touched in turn, this launch's among them. Nothing where the
+// machine has no cost constants or the footprint was not counted.
 std::optional<PredictedTime> predict_time(const profiler::LaunchCounters& launch, const Machine& machine,
                                           double working_set, LaunchPlace place);
 

@@ -110,8 +110,8 @@ std::vector<Reading> read_folder(const std::filesystem::path& folder, double& ro
     if (report.launches.size() != 1 || !report.launches[0].counters.footprint)
       throw_input_error(entry.path().string(), "no footprint", "a report of one launch with --machine");
     // Before each run `measure` copies the first contents of every buffer to the buffer itself, which the
-    // second cache has then used last. What was copied from is not counted: with it the fit would ask for more
-    // bytes than an H100's second cache has.
+    // second cache has then used last. What was copied from is not counted: with it the fit would ask for
+    // more bytes than an H100's second cache has.
     readings.push_back({name, report.launches[0].counters, static_cast<double>(report.buffer_bytes),
                         seconds_a_launch(measured)});
     if (std::filesystem::exists(row)) gains.push_back(readings.back().seconds - seconds_a_launch(row));

@@ -124,9 +124,8 @@ int profile(const Options& options) {
     throw_input_error("--sample-every", "no steps to sample on the way", "--at-step or --until-rest");
   if (!options.export_folder.empty()) make_folder(options.export_folder);
   const auto machine = options.simulator.load_machine();  // before the run: a wrong name costs nothing
-  reports::Report report =
-      options.launch.empty() ? profile_scene(options, machine, how, progress)
-                             : profile_launch_file(options, how);
+  reports::Report report = options.launch.empty() ? profile_scene(options, machine, how, progress)
+                                                  : profile_launch_file(options, how);
   report.machine = machine;
   progress.clear();
   if (!options.output.json.empty()) write_output(options.output.json, reports::report_json(report));

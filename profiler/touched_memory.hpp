@@ -1,6 +1,6 @@
 #pragma once
-// Which memory something touches, in sectors of 32 bytes: what several launches touch together is less than the
-// sum, where they share buffers.
+// Which memory something touches, in sectors of 32 bytes: what several launches touch together is less than
+// the sum, where they share buffers.
 
 #include <cstdint>
 #include <span>

@@ -21,9 +21,8 @@ ListMaking list_making(std::span<const profiler::LaunchProfile> step,
 }
 
 std::string text_of(const ListMaking& making) {
-  std::string text =
-      fmt::format("lists are made anew about every {} steps: {} warp instructions",
-                  count_text(making.steps_between), count_text(making.warp_instructions));
+  std::string text = fmt::format("lists are made anew about every {} steps: {} warp instructions",
+                                 count_text(making.steps_between), count_text(making.warp_instructions));
   if (making.predicted_seconds)
     text += fmt::format(", {}; {} a step", seconds_text(*making.predicted_seconds),
                         seconds_text(making.predicted_seconds_a_step()));

@@ -52,12 +52,12 @@ struct Report {
   // What an instruction is: "ptx" as compiled, "sass" as ptxas made it, "mixed" where it depends on the
   // launch.
   std::string weights = "ptx";
-  std::uint64_t buffer_bytes = 0;      // of the buffers that the launches are given, each once
+  std::uint64_t buffer_bytes = 0;  // of the buffers that the launches are given, each once
   // Of these, in the sectors that any launch touches; where all footprints were counted.
   std::optional<std::uint64_t> touched_bytes;
   std::optional<ListMaking> list_making;  // of a step that keeps lists which others make anew
-  std::vector<std::string> limits;     // what the counts do not say, in sentences
-  std::vector<LaunchReport> launches;  // in the order of launching
+  std::vector<std::string> limits;        // what the counts do not say, in sentences
+  std::vector<LaunchReport> launches;     // in the order of launching
 };
 
 // What the simulator does not model, stated in every report.

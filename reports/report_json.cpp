@@ -78,9 +78,9 @@ Json list_making_json(const ListMaking& making) {
 }
 
 ListMaking list_making_from(const JsonReader& place) {
-  const ListMaking making{place.at("steps_between").whole_number(), place.at("warp_instructions").whole_number(),
-                          place.at("thread_instructions").whole_number(),
-                          optional_number(place, "predicted_seconds")};
+  const ListMaking making{
+      place.at("steps_between").whole_number(), place.at("warp_instructions").whole_number(),
+      place.at("thread_instructions").whole_number(), optional_number(place, "predicted_seconds")};
   if (making.steps_between == 0) place.at("steps_between").fail("0", "1 or more");
   return making;
 }

@@ -39,7 +39,8 @@ StepCost cost_of(const AccuracySetting& setting, const Variant& variant) {
     cost.warp_instructions += totals.warp_instructions;
     cost.bytes += 32 * (totals.global_load.sectors + totals.global_store.sectors + totals.atomic.sectors);
   }
-  if (setting.machine) cost.predicted_seconds = predicted_seconds(launches, left, setting.costed, *setting.machine);
+  if (setting.machine)
+    cost.predicted_seconds = predicted_seconds(launches, left, setting.costed, *setting.machine);
   if (setting.timed_steps > 0 && backend("opencl").lacks().empty())
     cost.seconds = median_seconds_per_step(
         *backend("opencl").create(setting.costed, variant, setting.backend), setting.timed_steps);

@@ -1,7 +1,5 @@
 // What launches touch, and what they touch together.
 
-#include "profiler/touched_memory.hpp"
-
 #include <gtest/gtest.h>
 #include <random>
 #include <set>
@@ -9,6 +7,7 @@
 #include "profiler/coalescing.hpp"
 #include "profiler/device_buffer.hpp"
 #include "profiler/profile.hpp"
+#include "profiler/touched_memory.hpp"
 #include "tests/profiler/run_kernel.hpp"
 
 namespace warpgrain::profiler {
@@ -55,11 +54,11 @@ TEST(TouchedMemory, OfALaunchHasLoadsStoresAndAtomics) {
   DeviceBuffer out(64 * 4), in(16 * 64 * 4), sum(32 * 4), rest(4096);
   ProfileOptions options;
   options.footprint = true;
-  const LaunchCounters counters = profile_launch(
-      *kernel, line_of(64, 32),
-      std::vector{KernelArgument::buffer(out.bytes()), KernelArgument::buffer(in.bytes()),
-                  KernelArgument::buffer(sum.bytes()), KernelArgument::buffer(rest.bytes())},
-      "", options);
+  const LaunchCounters counters =
+      profile_launch(*kernel, line_of(64, 32),
+                     std::vector{KernelArgument::buffer(out.bytes()), KernelArgument::buffer(in.bytes()),
+                                 KernelArgument::buffer(sum.bytes()), KernelArgument::buffer(rest.bytes())},
+                     "", options);
   EXPECT_EQ(bytes_of(counters.touched), (8u + 64 + 4) * sector_bytes) << "nothing of `rest`";
   TouchedMemory twice = counters.touched;
   add(twice, counters.touched);

@@ -1,11 +1,10 @@
 // What a report's predictions take for the memory that is used in turn.
 
-#include "reports/predicted_times.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "profiler/coalescing.hpp"
+#include "reports/predicted_times.hpp"
 #include "reports/summary.hpp"
 #include "tests/reports/sample.hpp"
 
@@ -17,8 +16,8 @@ profiler::LaunchProfile reads_a_piece(std::uint64_t first_sector) {
   profiler::LaunchProfile launch = sample::launch("force");
   constexpr std::uint64_t sectors = 1 << 15;
   launch.counters.buffers = {{0, std::uint64_t{1} << 30}};
-  launch.counters.footprint = profiler::FootprintCounters{
-      .group_load_sectors = sectors, .load_sectors = sectors, .sectors = sectors};
+  launch.counters.footprint =
+      profiler::FootprintCounters{.group_load_sectors = sectors, .load_sectors = sectors, .sectors = sectors};
   launch.counters.touched.clear();
   for (std::uint64_t k = 0; k < sectors; ++k)
     add_sector(launch.counters.touched, (first_sector + k) * profiler::sector_bytes);

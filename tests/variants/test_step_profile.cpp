@@ -123,7 +123,8 @@ TEST_F(StepProfile, SaysWhenListsAreMadeAnew) {
     const auto launches = profile_step(scene, variant, {}, {}, {}, &left);
     std::vector<std::string> kernels;
     for (const LaunchProfile& launch : left.list_launches) kernels.push_back(launch.counters.kernel);
-    EXPECT_THAT(kernels, testing::Contains(std::string(search) == "verlet" ? "list_neighbours" : "list_groups"));
+    EXPECT_THAT(kernels,
+                testing::Contains(std::string(search) == "verlet" ? "list_neighbours" : "list_groups"));
     EXPECT_THAT(kernels, testing::Contains("reorder_particles"));
     for (const LaunchProfile& launch : launches)
       EXPECT_THAT(kernels, testing::Not(testing::Contains(launch.counters.kernel))) << "of every step";
