@@ -14,8 +14,8 @@
 //   BREAK lets fewer lanes go than have left, these run first.
 // * YIELD lets others run. Lanes that have yielded run when no others can, those at one place as one. Turns
 //   go round by lane, from lane 0 past each lane that a YIELD has let run. This rule is known in part: it
-//   gives the order of most kernels with a YIELD that were tried, not of all. Where it decides, the counters count
-//   it (`turns_assumed`).
+//   gives the order of most kernels with a YIELD that were tried, not of all. Where it decides, the
+//   counters count it (`turns_assumed`).
 // Lanes run on as one only within one call.
 
 #include <cstdint>
