@@ -13,7 +13,7 @@ import re
 import statistics
 import sys
 
-from page_block import with_block
+from page_block import write_or_check
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGE = ROOT / "docs" / "counters.md"
@@ -71,11 +71,7 @@ def table(name, title):
 def main():
     if sys.argv[1:] not in (["--write"], ["--check"]):
         sys.exit(__doc__)
-    page = with_block(PAGE, "tables", "\n".join(table(*s) for s in SETS))
-    if sys.argv[1] == "--write":
-        PAGE.write_text(page)
-    elif page != PAGE.read_text():
-        sys.exit(f"{PAGE} is not what the readings say; expected what --write makes of them")
+    write_or_check(sys.argv[1], PAGE, "tables", "\n".join(table(*s) for s in SETS))
 
 
 if __name__ == "__main__":

@@ -12,7 +12,7 @@ import json
 import pathlib
 import sys
 
-from page_block import with_block
+from page_block import write_or_check
 
 READINGS = pathlib.Path(__file__).resolve().parent.parent / "reports" / "measured"
 PAGE = READINGS / "README.md"
@@ -30,6 +30,8 @@ def table(folder):
             sets.append(name)
         forces = [k["seconds"]["median"] for k in document["kernels"] if k["kernel"] in FORCES]
         rows.setdefault(document["variant"], {})[name] = (document["step"]["seconds"]["median"], sum(forces))
+    if not sets:
+        sys.exit(f"{folder}: no documents of `warpgrain measure --scene --json`")
     main_set = max(sets, key=lambda name: sum(name in row for row in rows.values()))
     lines = [
         "| variant | " + " | ".join(f"{s}: step [ms]" + (", forces [us]" if s == main_set else "") for s in sets) + " |",
@@ -53,11 +55,7 @@ def main(word):
         return
     if word not in ("--write", "--check"):
         sys.exit(__doc__)
-    page = with_block(PAGE, "table", table(READINGS / "h100-variants"))
-    if word == "--write":
-        PAGE.write_text(page)
-    elif page != PAGE.read_text():
-        sys.exit(f"{PAGE} is not what the readings say; expected what --write makes of them")
+    write_or_check(word, PAGE, "table", table(READINGS / "h100-variants"))
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-// 150 random kernels (tests/profiler/oracle/random_kernel.hpp): the simulator leaves the same bytes as PoCL
+// 250 random kernels (tests/profiler/oracle/random_kernel.hpp): the simulator leaves the same bytes as PoCL
 // and counts what the interpreter counts. The program random_kernels runs as many more as one has time for.
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace warpgrain::oracle {
 namespace {
 
-constexpr std::uint64_t n_kernels = 150, kernels_a_program = 50;
+constexpr std::uint64_t n_kernels = 250, kernels_a_program = 50;
 
 class RandomKernels : public testing::TestWithParam<std::uint64_t> {};
 
